@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+namespace impulse {
+
+/// Samples at t_k = k·step_s, k = 0 .. size-1: the sampling of every signal in the program.
+struct UniformGrid {
+  double step_s = 0;
+  std::size_t size = 0;
+
+  [[nodiscard]] double time_s(std::size_t index) const { return step_s * static_cast<double>(index); }
+  [[nodiscard]] double duration_s() const { return size == 0 ? 0 : time_s(size - 1); }
+  friend bool operator==(const UniformGrid&, const UniformGrid&) = default;
+};
+
+/// The grid of round(duration/step) + 1 samples, both ends in (3e-4 s by 1e-4 s has 4). The one place where a
+/// duration becomes a number of samples.
+/// @throws std::invalid_argument unless 0 < step ≤ duration, both finite, and the sample count is below 2^31.
+/// Verified by: tests/lib/uniform_series.test.cpp
+[[nodiscard]] UniformGrid grid_over(double duration_s, double step_s);
+
+struct UniformSeries {
+  UniformGrid grid;
+  std::vector<double> values;
+};
+
+/// ∫₀ᵗ x dt on the same grid by the trapezoidal rule, starting from 0. Order 2.
+/// Verified by: tests/lib/uniform_series.test.cpp
+[[nodiscard]] std::vector<double> cumulative_integral(const std::vector<double>& values, double step_s);
+
+}  // namespace impulse
