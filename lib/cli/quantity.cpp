@@ -1,1 +1,158 @@
+#include "lib/cli/quantity.hpp"
 
+#include "lib/contract/require.hpp"
+#include "lib/csv/decimal.hpp"
+
+#include <fmt/format.h>
+#include <udunits2.h>
+
+#include <array>
+#include <cctype>
+#include <cmath>
+#include <memory>
+#include <optional>
+#include <stdexcept>
+
+namespace impulse {
+namespace {
+
+struct UnitFree {
+  void operator()(ut_unit* unit) const { ut_free(unit); }
+};
+struct SystemFree {
+  void operator()(ut_system* system) const { ut_free_system(system); }
+};
+struct ConverterFree {
+  void operator()(cv_converter* converter) const { cv_free(converter); }
+};
+using Unit = std::unique_ptr<ut_unit, UnitFree>;
+
+ut_system* unit_system() {
+  static const std::unique_ptr<ut_system, SystemFree> system = [] {
+    ut_set_error_message_handler(ut_ignore);
+    return std::unique_ptr<ut_system, SystemFree>(ut_read_xml(nullptr));
+  }();
+  if (!system) throw std::runtime_error("cannot load the unit database of UDUNITS-2 (is libudunits2-data installed?)");
+  return system.get();
+}
+
+constexpr std::string_view three_halves = "^1.5";
+
+// UDUNITS reads "m^1.5" as "m^1 times 5", and "m 3" or "m*3" as 3 m: what it would misread is not a unit here.
+bool is_plain_unit(std::string_view text) {
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    const char next = i + 1 < text.size() ? text[i + 1] : '\0';
+    const bool digit_next = std::isdigit(static_cast<unsigned char>(next)) != 0;
+    if (std::isspace(static_cast<unsigned char>(text[i])) || text[i] == '@') return false;
+    if (digit_next && (text[i] == '.' || text[i] == '*' || text[i] == '(')) return false;
+  }
+  return !text.empty() && !std::isdigit(static_cast<unsigned char>(text[0])) && text[0] != '/' && text[0] != '^';
+}
+
+Unit parse_unit(const std::string& text) {
+  return Unit(is_plain_unit(text) ? ut_parse(unit_system(), text.c_str(), UT_UTF8) : nullptr);
+}
+
+bool has_radian(const ut_unit* unit) {
+  std::array<char, 256> text{};
+  const int length = ut_format(unit, text.data(), text.size() - 1, UT_ASCII | UT_DEFINITION);
+  return length > 0 && std::string_view(text.data()).find("rad") != std::string_view::npos;
+}
+
+/// Value of one `from` in `to`, nothing if the dimensions differ.
+std::optional<double> conversion_factor(const ut_unit* from, const std::string& to_name) {
+  const Unit to(ut_parse(unit_system(), to_name.c_str(), UT_UTF8));
+  if (!to) throw std::logic_error("unknown target unit " + to_name);
+  if (!ut_are_convertible(from, to.get()) || has_radian(from) != has_radian(to.get())) return std::nullopt;
+  const std::unique_ptr<cv_converter, ConverterFree> converter(
+      ut_get_converter(const_cast<ut_unit*>(from), to.get()));  // NOLINT: the C interface is not const-correct
+  if (!converter) return std::nullopt;
+  const double factor = cv_convert_double(converter.get(), 1.0);
+  // Convertible to UDUNITS are also reciprocals (s and Hz), which are another quantity here.
+  const double twice = cv_convert_double(converter.get(), 2.0);
+  if (std::abs(twice - 2 * factor) > 1e-9 * std::abs(factor)) return std::nullopt;
+  return factor;
+}
+
+struct Fraction {
+  std::string numerator;
+  std::string length;
+};
+
+/// Splits `N/m^1.5` into `N` and `m`.
+std::optional<Fraction> three_halves_fraction(const std::string& unit) {
+  const std::size_t slash = unit.rfind('/');
+  if (!unit.ends_with(three_halves) || slash == std::string::npos || slash == 0) return std::nullopt;
+  return Fraction{unit.substr(0, slash), unit.substr(slash + 1, unit.size() - slash - 1 - three_halves.size())};
+}
+
+[[noreturn]] void refuse(std::string_view text, const std::string& problem, const std::string& unit) {
+  throw std::invalid_argument(fmt::format("'{}': {}: expected {}", text, problem, quantity_description(unit)));
+}
+
+double suffix_factor(std::string_view text, const std::string& suffix, const std::string& unit) {
+  if (unit == "1" || unit.empty()) refuse(text, fmt::format("unexpected '{}' after the number", suffix), unit);
+  const std::optional<Fraction> wanted = three_halves_fraction(unit);
+  const std::optional<Fraction> given = three_halves_fraction(suffix);
+  if (wanted.has_value() != given.has_value()) {
+    const bool known = given.has_value() || parse_unit(suffix) != nullptr;
+    refuse(text, known ? "wrong dimension" : fmt::format("unknown unit '{}'", suffix), unit);
+  }
+  const auto factor = [&](const std::string& from_name, const std::string& to_name) {
+    const Unit from = parse_unit(from_name);
+    if (!from) refuse(text, fmt::format("unknown unit '{}'", from_name), unit);
+    const std::optional<double> value = conversion_factor(from.get(), to_name);
+    if (!value) refuse(text, "wrong dimension", unit);
+    return *value;
+  };
+  if (!wanted) return factor(suffix, unit);
+  return factor(given->numerator, wanted->numerator) / std::pow(factor(given->length, wanted->length), 1.5);
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.front()))) text.remove_prefix(1);
+  while (!text.empty() && std::isspace(static_cast<unsigned char>(text.back()))) text.remove_suffix(1);
+  return text;
+}
+
+}  // namespace
+
+std::string quantity_description(const std::string& unit) {
+  struct Known {
+    std::string_view unit, description;
+  };
+  static constexpr std::array known{
+      Known{"m", "a length such as 400mm"},
+      Known{"kg", "a mass such as 2.5lb"},
+      Known{"s", "a time such as 10us"},
+      Known{"Pa", "a modulus or stress such as 2.8GPa"},
+      Known{"kg/m3", "a density such as 1150kg/m3"},
+      Known{"m/s", "a speed such as 5m/s"},
+      Known{"Hz", "a frequency such as 2kHz"},
+      Known{"rad/s", "an angular frequency such as 300rad/s"},
+      Known{"rad", "an angle such as 0.5rad"},
+      Known{"N", "a force such as 5kN"},
+      Known{"J", "an energy such as 0.5ft.lbf"},
+      Known{"N/m", "a stiffness such as 2kN/mm"},
+      Known{"N/m^1.5", "a stiffness of a 3/2 law such as 1.4e6N/cm^1.5"},
+      Known{"1", "a plain number"},
+  };
+  for (const Known& entry : known)
+    if (entry.unit == unit) return std::string(entry.description);
+  return unit.empty() ? "a plain number" : "a quantity in " + unit;
+}
+
+double parse_quantity(std::string_view text, const std::string& unit) {
+  const std::string_view whole = trimmed(text);
+  const Decimal number = leading_decimal(whole);
+  if (whole.empty()) refuse(text, "empty", unit);
+  if (number.length == 0) refuse(text, "not a number", unit);
+  if (!std::isfinite(number.value)) refuse(text, "too large for a number", unit);
+  const std::string suffix(trimmed(whole.substr(number.length)));
+  if (suffix.empty()) return number.value;
+  const double value = number.value * suffix_factor(text, suffix, unit);
+  if (!std::isfinite(value)) refuse(text, "too large for a number", unit);
+  return value;
+}
+
+}  // namespace impulse

@@ -24,6 +24,11 @@ struct OutputError : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
+/// Nobody reads the output any more (EPIPE). Not an error: exit code 0.
+struct ClosedPipe : std::runtime_error {
+  ClosedPipe() : std::runtime_error("the reader closed the pipe") {}
+};
+
 /// A method missed its tolerance. Exit code 1.
 struct ConvergenceError : std::runtime_error {
   ConvergenceError(const std::string& message, double requested_tolerance, double achieved_tolerance,
