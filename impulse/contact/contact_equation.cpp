@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace impulse {
 namespace {
@@ -41,7 +42,7 @@ Weights trapezoidal_weights(const PairResponse& body, double step_s) {
 }
 
 /// ½Δt²G_0/U_1 measures how much of the response lies above the Nyquist frequency 1/(2Δt): it is 1 for a kernel smooth within the step,
-/// 1.29 for a rod's exact modes up to the Nyquist frequency (Dirichlet's kernel), 1.57 ν for modes up to ν times it,
+/// 1.29 for a rod's exact modes (up to 1.4 for chains) up to the Nyquist frequency (Dirichlet's kernel), 1.57 ν for modes up to ν times it,
 /// and 0 where a jump of H stands without the Dirac pulse that makes it.
 void require_resolved_by_trapezoid(const Response& response, int number) {
   const PairResponse& pair = response.pair(0, 0);
@@ -51,12 +52,12 @@ void require_resolved_by_trapezoid(const Response& response, int number) {
   const double ratio = 0.5 * dt * dt * g0 / u1;
   require(ratio > 0.7,
           "body {}: the trapezoidal rule needs the impulse response itself, but H jumps (or U does) where G has no Dirac pulse (½Δt²G/U = {:.2g} "
-          "at the first step, not 1 to 1.3); use --method product, or a modal response with modes up to the Nyquist frequency",
+          "at the first step, not 1 to 1.4); use --method product, or a modal response with modes up to the Nyquist frequency",
           number, ratio);
   const double h0 = pair.step_velocity_m_per_Ns[0];
-  require(ratio < 1.32,
+  require(ratio < 1.45,
           "body {}: step {:.4g} s aliases the modes of the response above its Nyquist frequency (½Δt²G/U = {:.2g} at the first step, not 1 to "
-          "1.3); use --method product, or a step of {:.3g} s",
+          "1.4); use --method product, or a step of {:.3g} s",
           number, dt, ratio, h0 > 0 ? 2 * h0 / g0 : dt * 1.2 / ratio);
 }
 
@@ -70,38 +71,90 @@ PairResponse sum(const PairResponse& a, const PairResponse& b) {
   return total;
 }
 
-/// F_0, from the rule in the header.
-double first_force(const PairResponse& total, const Weights& weights, double speed) {
-  if (total.step_displacement_m_per_N[0] > 0) return 0;
-  if (total.step_velocity_m_per_Ns[0] > 0) return speed / total.step_velocity_m_per_Ns[0];
-  return speed / (weights.w[0] + weights.start[1]);
-}
-
-/// F_1 .. F_N-1 from F_0.
-std::vector<double> later_forces(const Weights& weights, double f0, double speed, ContactMethod method) {
-  std::vector<double> rhs(weights.w.size());
-  for (std::size_t n = 0; n < rhs.size(); ++n) rhs[n] = speed - f0 * weights.start[n + 1];
+std::vector<double> solve_toeplitz(const std::vector<double>& w, const std::vector<double>& rhs, double speed,
+                                   ContactMethod method) {
   switch (method) {
     case ContactMethod::series:
-      return series_toeplitz(weights.w, rhs, 1e-9 * speed);
+      return series_toeplitz(w, rhs, 1e-9 * speed);
     case ContactMethod::fourier:
-      return contour_toeplitz(weights.w, rhs, 1e-6 * speed);
+      return contour_toeplitz(w, rhs, 1e-6 * speed);
     case ContactMethod::product:
     case ContactMethod::trapezoidal:
       break;
   }
-  return marched_toeplitz(weights.w, rhs, [](std::span<const double> f) {
-    return f.size() >= 3 && f[f.size() - 1] <= 0 && f[f.size() - 2] <= 0 && f[f.size() - 3] <= 0;
+  // Four, so that three samples are past the end also where a sample is the mean of two steps.
+  return marched_toeplitz(w, rhs, [](std::span<const double> f) {
+    return f.size() >= 4 && std::ranges::all_of(f.last(4), [](double value) { return value <= 0; });
   });
 }
 
-/// (G*F)(t_n) on the whole grid for a piecewise linear force.
-std::vector<double> velocity(const Weights& weights, const std::vector<double>& force) {
+/// A force with the velocities that it gives the two faces (into each body).
+struct Solution {
+  std::vector<double> force;
+  double contact_end_s = 0;
+  std::vector<double> velocity_1;
+  std::vector<double> velocity_2;
+};
+
+/// (G*F)(t_n) for a force linear within each step.
+std::vector<double> linear_velocity(const Weights& weights, const std::vector<double>& force) {
   const std::vector<double> later = convolution(weights.w, std::span(force).subspan(1), force.size() - 1);
   std::vector<double> v(force.size());
   v[0] = weights.start[0] * force[0];
   for (std::size_t n = 1; n < v.size(); ++n) v[n] = weights.start[n] * force[0] + later[n - 1];
   return v;
+}
+
+/// Sample n as the mean of the steps before and after it; the first is given, the last extrapolated.
+std::vector<double> on_samples(const std::vector<double>& steps, double first) {
+  const std::size_t last = steps.size();
+  std::vector<double> samples(last + 1);
+  samples[0] = first;
+  for (std::size_t n = 1; n < last; ++n) samples[n] = 0.5 * (steps[n - 1] + steps[n]);
+  samples[last] = 1.5 * steps[last - 1] - 0.5 * steps[last - 2];
+  return samples;
+}
+
+/// Ends contact where the force does; returns the first sample out of contact.
+std::size_t release(Solution& solution, const UniformGrid& grid) {
+  const std::size_t end = contact_end_index(solution.force);
+  solution.contact_end_s = contact_end_s(solution.force, grid, end);
+  std::fill(solution.force.begin() + static_cast<std::ptrdiff_t>(end), solution.force.end(), 0.0);
+  return end;
+}
+
+/// The force as unknown samples.
+Solution linear_solution(const Weights& body_1, const Weights& body_2, const UniformGrid& grid, std::optional<double> start,
+                         double speed, ContactMethod method) {
+  Weights both = body_1;
+  for (std::size_t k = 0; k < both.w.size(); ++k) both.w[k] += body_2.w[k];
+  for (std::size_t n = 0; n < both.start.size(); ++n) both.start[n] += body_2.start[n];
+  const double f0 = start.value_or(speed / (both.w[0] + both.start[1]));
+  std::vector<double> rhs(both.w.size());
+  for (std::size_t n = 0; n < rhs.size(); ++n) rhs[n] = speed - f0 * both.start[n + 1];
+  Solution solution;
+  solution.force = {f0};
+  const std::vector<double> later = solve_toeplitz(both.w, rhs, speed, method);
+  solution.force.insert(solution.force.end(), later.begin(), later.end());
+  release(solution, grid);
+  solution.velocity_1 = linear_velocity(body_1, solution.force);
+  solution.velocity_2 = linear_velocity(body_2, solution.force);
+  return solution;
+}
+
+/// The force as unknown means over the steps.
+Solution step_solution(const Weights& body_1, const Weights& body_2, const UniformGrid& grid, double f0, double speed,
+                       ContactMethod method) {
+  std::vector<double> w = body_1.w;
+  for (std::size_t k = 0; k < w.size(); ++k) w[k] += body_2.w[k];
+  std::vector<double> means = solve_toeplitz(w, std::vector<double>(w.size(), speed), speed, method);
+  Solution solution;
+  solution.force = on_samples(means, f0);
+  const std::size_t end = release(solution, grid);
+  std::fill(means.begin() + static_cast<std::ptrdiff_t>(std::min(end, means.size())), means.end(), 0.0);
+  solution.velocity_1 = on_samples(convolution(body_1.w, means, means.size()), f0 * body_1.start[0]);
+  solution.velocity_2 = on_samples(convolution(body_2.w, means, means.size()), f0 * body_2.start[0]);
+  return solution;
 }
 
 /// |∫F(v₁ - v₂)dt|/(V∫F dt): what the rigid interface loses between samples, where v₁ = v₂ is not asked for. By
@@ -153,31 +206,36 @@ ImpactHistory solve_contact(const Response& body_1, const Response& body_2, cons
     require_resolved_by_trapezoid(body_2, 2);
   }
   const PairResponse total = sum(body_1.pair(0, 0), body_2.pair(0, 0));
-  const double dt = body_1.grid.step_s;
-  const auto weights_of = [&](const PairResponse& body) {
-    return method == ContactMethod::trapezoidal ? trapezoidal_weights(body, dt) : product_weights(body, dt);
-  };
-  const Weights weights = weights_of(total);
-  require(weights.w[0] > 0,
+  const UniformGrid& grid = body_1.grid;
+  const double speed = impact.speed_m_per_s;
+  const double u1 = total.step_displacement_m_per_N[1];
+  require(u1 > 0,
           "the bodies' displacement one step after a unit step force is {} m/N: a body that yields backwards is not a passive response",
-          weights.w[0] * dt);
-
+          u1);
+  const bool trapezoidal = method == ContactMethod::trapezoidal;
+  const auto weights_of = [&](const Response& body) {
+    return trapezoidal ? trapezoidal_weights(body.pair(0, 0), grid.step_s) : product_weights(body.pair(0, 0), grid.step_s);
+  };
+  const double r = total.step_displacement_m_per_N[0];
+  const double h0 = total.step_velocity_m_per_Ns[0];
+  const Weights weights_1 = weights_of(body_1);
+  const Weights weights_2 = weights_of(body_2);
+  Solution solution;
+  if (r == 0 && h0 > 0 && !trapezoidal)
+    solution = step_solution(weights_1, weights_2, grid, speed / h0, speed, method);
+  else
+    solution = linear_solution(weights_1, weights_2, grid,
+                               r > 0 ? std::optional(0.0) : h0 > 0 ? std::optional(speed / h0) : std::nullopt, speed, method);
   ImpactHistory history;
-  history.grid = body_1.grid;
-  const double f0 = first_force(total, weights, impact.speed_m_per_s);
-  history.force_N = {f0};
-  const std::vector<double> later = later_forces(weights, f0, impact.speed_m_per_s, method);
-  history.force_N.insert(history.force_N.end(), later.begin(), later.end());
-
+  history.grid = grid;
+  history.force_N = std::move(solution.force);
+  history.velocity_1_m_per_s = std::move(solution.velocity_1);
+  history.velocity_2_m_per_s = std::move(solution.velocity_2);
+  for (double& v : history.velocity_1_m_per_s) v = speed - v;
   const std::size_t end = contact_end_index(history.force_N);
-  history.separated = end < history.force_N.size();
-  history.contact_end_s = contact_end_s(history.force_N, history.grid, end);
-  std::fill(history.force_N.begin() + static_cast<std::ptrdiff_t>(end), history.force_N.end(), 0.0);
-
-  history.energy_error = energy_error(total, history.grid, history.force_N, std::min(end, later.size()), impact.speed_m_per_s);
-  history.velocity_1_m_per_s = velocity(weights_of(body_1.pair(0, 0)), history.force_N);
-  for (double& v : history.velocity_1_m_per_s) v = impact.speed_m_per_s - v;
-  history.velocity_2_m_per_s = velocity(weights_of(body_2.pair(0, 0)), history.force_N);
+  history.separated = end < grid.size;
+  history.contact_end_s = solution.contact_end_s;
+  history.energy_error = energy_error(total, grid, history.force_N, std::min(end, grid.size - 1), speed);
   return history;
 }
 
