@@ -1,1 +1,96 @@
+#include "lib/csv/csv_output.hpp"
 
+#include "lib/contract/errors.hpp"
+#include "lib/contract/require.hpp"
+
+#include <csv.h>
+#include <fmt/format.h>
+
+#include <cmath>
+#include <iterator>
+
+namespace impulse {
+namespace {
+
+void append_number(std::string& line, double value) { fmt::format_to(std::back_inserter(line), "{}", value); }
+
+/// Quotes only where reading would go wrong without: separators, quotes, outer blanks, and a `#` that reads as a
+/// comment.
+void append_text(std::string& line, const std::string& text) {
+  const bool plain = text.find_first_of(",\"\r\n\t") == text.npos && !text.starts_with('#') && !text.starts_with(' ') &&
+                     !text.ends_with(' ');
+  if (plain) {
+    line += text;
+    return;
+  }
+  std::string quoted(csv_write(nullptr, 0, text.data(), text.size()), '\0');
+  csv_write(quoted.data(), quoted.size(), text.data(), text.size());
+  line += quoted;
+}
+
+std::string header_line(const std::vector<std::string>& names) {
+  std::string line;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    if (i > 0) line += ',';
+    append_text(line, names[i]);
+  }
+  return line + '\n';
+}
+
+void require_finite(const std::string& path, const std::string& name, std::size_t row, double value) {
+  if (!std::isfinite(value))
+    throw OutputError(fmt::format("cannot write {}: column {}, row {} is {}",
+                                  path.empty() || path == "-" ? "stdout" : path, name, row + 1, value));
+}
+
+}  // namespace
+
+void write_csv(const std::string& path, std::span<const NamedColumn> columns) {
+  require(!columns.empty(), "a CSV file needs at least one column");
+  std::vector<std::string> names;
+  const std::size_t row_count = columns.front().values.size();
+  for (const NamedColumn& column : columns) {
+    require(column.values.size() == row_count, "column {} has {} values, column {} has {}", column.name,
+            column.values.size(), columns.front().name, row_count);
+    for (std::size_t row = 0; row < row_count; ++row) require_finite(path, column.name, row, column.values[row]);
+    names.push_back(column.name);
+  }
+  OutputFile file(path);
+  file.write(header_line(names));
+  std::string line;
+  for (std::size_t row = 0; row < row_count; ++row) {
+    line.clear();
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      if (i > 0) line += ',';
+      append_number(line, columns[i].values[row]);
+    }
+    line += '\n';
+    file.write(line);
+  }
+  file.close();
+}
+
+void write_csv(const std::string& path, std::initializer_list<NamedColumn> columns) {
+  write_csv(path, std::span<const NamedColumn>(columns.begin(), columns.size()));
+}
+
+CsvOutput::CsvOutput(const std::string& path, const std::vector<std::string>& names) : file_(path), names_(names) {
+  file_.write(header_line(names));
+}
+
+void CsvOutput::row(const std::vector<CsvField>& fields) {
+  require(fields.size() == names_.size(), "a row of {} fields for {} columns", fields.size(), names_.size());
+  std::string line;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    if (i > 0) line += ',';
+    if (const auto* text = std::get_if<std::string>(&fields[i])) append_text(line, *text);
+    if (const auto* number = std::get_if<double>(&fields[i])) {
+      if (!std::isfinite(*number))
+        throw OutputError(fmt::format("cannot write column {}: it is {}", names_[i], *number));
+      append_number(line, *number);
+    }
+  }
+  file_.write(line + '\n');
+}
+
+}  // namespace impulse
