@@ -188,7 +188,7 @@ void require_compatible(const Response& body_1, const Response& body_2, const Im
   require_valid(body_2);
   require(body_1.contact_count == 1 && body_2.contact_count == 1,
           "the bodies have {} and {} contacts; this equation has one each", body_1.contact_count, body_2.contact_count);
-  require(body_1.grid == body_2.grid,
+  require(same_grid(body_1.grid, body_2.grid),
           "the responses have different grids ({} samples of {} s and {} samples of {} s); compute both with the same --step and "
           "--duration",
           body_1.grid.size, body_1.grid.step_s, body_2.grid.size, body_2.grid.step_s);

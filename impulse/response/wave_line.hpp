@@ -2,7 +2,6 @@
 
 #include "lib/material/profile.hpp"
 
-#include <algorithm>
 #include <vector>
 
 namespace impulse {
@@ -25,10 +24,6 @@ struct WavePiece {
 struct WaveLine {
   std::vector<WavePiece> pieces;
   FarEnd far_end = FarEnd::free;
-
-  [[nodiscard]] bool has_cones() const {
-    return std::ranges::any_of(pieces, [](const WavePiece& piece) { return piece.taper_left != 0; });
-  }
 };
 
 /// The chain from its end A (give reversed(profile) for end B).

@@ -108,9 +108,9 @@ void add_pulses(const std::vector<Pulse>& pulses, double mu, double sign, const 
 /// Period four times the record and σ = 9/duration: aliases enter by e^-27 and below, rounding grows by e^9.
 class RemainderTransform {
  public:
-  RemainderTransform(const UniformGrid& grid, double fastest_rate)
+  RemainderTransform(const UniformGrid& grid, double mu)
       : grid_(grid),
-        oversampling_(static_cast<std::size_t>(std::ceil(std::max(1.0, 20 * fastest_rate * grid.step_s)))),
+        oversampling_(static_cast<std::size_t>(std::ceil(std::max(1.0, 8 * mu * grid.step_s)))),
         fft_(fast_transform_size(4 * grid.size * oversampling_)),
         sigma_(9 / grid.duration_s()) {}
 
@@ -134,11 +134,16 @@ class RemainderTransform {
   double sigma_;
 };
 
-double fastest_taper(const WaveLine& line) {
-  double rate = 0;
-  for (const WavePiece& piece : line.pieces)
-    rate = std::max({rate, std::abs(piece.taper_left), std::abs(piece.taper_right)});
-  return rate;
+/// μ of the tails' series, 0 without cones. Scattering n times at rates κ makes coefficients (nκ/μ)^k/k! of q^k: with μ = nκ they stay
+/// bounded on long records, and the remainder is smooth on the scale of 1/μ.
+double tail_rate(const WaveLine& line, double duration_s) {
+  double fastest = 0;
+  double travel_time = 0;
+  for (const WavePiece& piece : line.pieces) {
+    fastest = std::max({fastest, std::abs(piece.taper_left), std::abs(piece.taper_right)});
+    travel_time += piece.travel_time_s;
+  }
+  return fastest * (1 + 0.5 * static_cast<double>(line.pieces.size()) * duration_s / travel_time);
 }
 
 void add_remainder(const RemainderTransform& transform, const std::vector<std::complex<double>>& mobility, double sign,
@@ -148,7 +153,9 @@ void add_remainder(const RemainderTransform& transform, const std::vector<std::c
   ComplexBuffer spectrum(mobility.begin(), mobility.end());
   ComplexBuffer integrated(spectrum);
   for (std::vector<double>* column : columns) {
+    const double start = column->front();
     transform.add(integrated, sign, *column);
+    column->front() = start;  // the remainder starts from exactly 0, its transform only nearly so
     for (std::size_t k = 0; k < spectrum.size(); ++k) spectrum[k] /= transform.s(k);
     integrated = spectrum;
   }
@@ -156,12 +163,12 @@ void add_remainder(const RemainderTransform& transform, const std::vector<std::c
 
 /// Adds what a unit impulse on the struck end does there and, seen into the body, at the far end.
 void add_struck(const WaveLine& line, const UniformGrid& grid, PairResponse& at_struck, PairResponse* at_far) {
-  const double mu = line.has_cones() ? fastest_taper(line) : 0.0;
+  const double mu = tail_rate(line, grid.duration_s());
   const PulseTrain train = pulse_train(line, grid.duration_s() + 0.5 * grid.step_s, grid.step_s, mu);
   add_pulses(train.at_struck_end, mu, 1.0, grid, at_struck);
   if (at_far != nullptr) add_pulses(train.at_far_end, mu, -1.0, grid, *at_far);
-  if (!line.has_cones()) return;
-  const RemainderTransform transform(grid, fastest_taper(line));
+  if (mu == 0) return;
+  const RemainderTransform transform(grid, mu);
   std::vector<std::complex<double>> struck(transform.size());
   std::vector<std::complex<double>> far(transform.size());
   for (std::size_t k = 0; k < transform.size(); ++k) {
@@ -170,15 +177,7 @@ void add_struck(const WaveLine& line, const UniformGrid& grid, PairResponse& at_
     struck[k] = exact.struck - followed.struck;
     far[k] = exact.far - followed.far;
   }
-  const auto restart = [](PairResponse& pair) {
-    return std::array{pair.impulse_response_per_kg[0], pair.step_velocity_m_per_Ns[0], pair.step_displacement_m_per_N[0]};
-  };
-  const auto first = restart(at_struck);
   add_remainder(transform, struck, 1.0, at_struck);
-  // The remainder starts from exactly 0; its transform only nearly so.
-  at_struck.impulse_response_per_kg[0] = first[0];
-  at_struck.step_velocity_m_per_Ns[0] = first[1];
-  at_struck.step_displacement_m_per_N[0] = first[2];
   if (at_far != nullptr) add_remainder(transform, far, -1.0, *at_far);
 }
 

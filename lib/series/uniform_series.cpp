@@ -6,6 +6,10 @@
 
 namespace impulse {
 
+bool same_grid(const UniformGrid& a, const UniformGrid& b) {
+  return a.size == b.size && std::abs(a.step_s - b.step_s) <= 1e-9 * a.step_s;
+}
+
 UniformGrid grid_over(double duration_s, double step_s) {
   require(std::isfinite(step_s) && step_s > 0, "step {} s is not positive", step_s);
   require(std::isfinite(duration_s) && duration_s >= step_s, "duration {} s is shorter than one step of {} s", duration_s,

@@ -12,8 +12,10 @@ struct UniformGrid {
 
   [[nodiscard]] double time_s(std::size_t index) const { return step_s * static_cast<double>(index); }
   [[nodiscard]] double duration_s() const { return size == 0 ? 0 : time_s(size - 1); }
-  friend bool operator==(const UniformGrid&, const UniformGrid&) = default;
 };
+
+/// The same samples: equal in number, steps equal within 1e-9 (a step read back from a file is a rounded quotient).
+[[nodiscard]] bool same_grid(const UniformGrid& a, const UniformGrid& b);
 
 /// The grid of round(duration/step) + 1 samples, both ends in (3e-4 s by 1e-4 s has 4). The one place where a
 /// duration becomes a number of samples.
