@@ -1,0 +1,1 @@
+#include "fem/elements/bar_element.hpp"
