@@ -1,1 +1,68 @@
+#include "lib/cli/config_toml.hpp"
 
+#include "lib/contract/errors.hpp"
+#include "lib/csv/input_file.hpp"
+
+#include <fmt/format.h>
+#include <toml++/toml.h>
+
+#include <algorithm>
+
+namespace impulse {
+namespace {
+
+TomlValue toml_value(const toml::node& node) {
+  TomlValue value;
+  value.line = node.source().begin.line;
+  value.column = node.source().begin.column;
+  if (const auto* text = node.as_string()) {
+    value = {TomlType::text, text->get(), "a string", value.line, value.column};
+  } else if (const auto* integer = node.as_integer()) {
+    value = {TomlType::integer, fmt::format("{}", integer->get()), "an integer", value.line, value.column};
+  } else if (const auto* real = node.as_floating_point()) {
+    value = {TomlType::real, fmt::format("{}", real->get()), "a number", value.line, value.column};
+  } else if (const auto* boolean = node.as_boolean()) {
+    value = {TomlType::boolean, boolean->get() ? "true" : "false", "a boolean", value.line, value.column};
+  } else {
+    value.type_name = node.is_table() ? "a table" : node.is_array() ? "an array" : "a date or time";
+  }
+  return value;
+}
+
+}  // namespace
+
+std::vector<TomlEntry> read_toml_entries(const std::string& path) {
+  const std::string text = read_text(path);
+  toml::table table;
+  try {
+    table = toml::parse(text, path);
+  } catch (const toml::parse_error& error) {
+    throw InputError(path, error.source().begin.line, error.source().begin.column, std::string(error.description()));
+  }
+  std::vector<TomlEntry> entries;
+  for (const auto& [key, node] : table) {
+    TomlEntry entry{std::string(key.str()), key.source().begin.line, key.source().begin.column, node.is_array(), {}};
+    if (const toml::array* array = node.as_array()) {
+      for (const toml::node& element : *array) entry.values.push_back(toml_value(element));
+    } else {
+      entry.values.push_back(toml_value(node));
+    }
+    entries.push_back(std::move(entry));
+  }
+  std::sort(entries.begin(), entries.end(), [](const TomlEntry& a, const TomlEntry& b) {
+    return std::pair(a.line, a.column) < std::pair(b.line, b.column);
+  });
+  return entries;
+}
+
+std::string body_kind(const std::string& path) {
+  for (const TomlEntry& entry : read_toml_entries(path)) {
+    if (entry.key != "body") continue;
+    if (entry.is_array || entry.values[0].type != TomlType::text)
+      throw InputError(path, entry.line, entry.column, "body: expected a string such as \"cone\"");
+    return entry.values[0].text;
+  }
+  throw InputError(path, 0, 0, "no key 'body' (a body file says what it is, such as body = \"cone\")");
+}
+
+}  // namespace impulse

@@ -2,16 +2,13 @@
 
 #include "lib/contract/errors.hpp"
 #include "lib/csv/decimal.hpp"
+#include "lib/csv/input_file.hpp"
 
 #include <csv.h>
-#include <fcntl.h>
 #include <fmt/format.h>
-#include <unistd.h>
 
 #include <algorithm>
-#include <cerrno>
 #include <cmath>
-#include <cstring>
 #include <new>
 #include <set>
 
@@ -24,40 +21,12 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t") - first + 1);
 }
 
-/// A file to be read once; `-` is stdin.
-class InputFile {
- public:
-  explicit InputFile(const std::string& path) : path_(path == "-" ? "stdin" : path) {
-    if (path != "-") descriptor_ = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    if (descriptor_ < 0) fail();
-  }
-  InputFile(const InputFile&) = delete;
-  InputFile& operator=(const InputFile&) = delete;
-  ~InputFile() {
-    if (descriptor_ > STDIN_FILENO) ::close(descriptor_);
-  }
-
-  std::size_t read(char* buffer, std::size_t size) {
-    while (true) {
-      const ssize_t count = ::read(descriptor_, buffer, size);
-      if (count >= 0) return static_cast<std::size_t>(count);
-      if (errno != EINTR) fail();
-    }
-  }
-
- private:
-  [[noreturn]] void fail() const { throw InputError(path_, 0, 0, std::strerror(errno)); }
-  std::string path_;
-  int descriptor_ = STDIN_FILENO;
-};
-
 }  // namespace
 
 /// Feeds libcsv line by line, because it knows neither line numbers nor comments.
 class CsvReader {
  public:
-  explicit CsvReader(const std::string& path) {
-    table_.file_ = path == "-" ? "stdin" : path;
+  CsvReader() {
     if (csv_init(&parser_, CSV_STRICT | CSV_STRICT_FINI) != 0) throw std::bad_alloc();
   }
   CsvReader(const CsvReader&) = delete;
@@ -66,6 +35,7 @@ class CsvReader {
 
   CsvTable read(const std::string& path) {
     InputFile input(path);
+    table_.file_ = input.name();
     std::vector<char> buffer(std::size_t{1} << 18);
     std::size_t kept = 0;
     bool first_block = true;
@@ -169,7 +139,7 @@ class CsvReader {
   bool in_header_ = true;
 };
 
-CsvTable read_csv(const std::string& path) { return CsvReader(path).read(path); }
+CsvTable read_csv(const std::string& path) { return CsvReader().read(path); }
 
 std::string_view CsvTable::Text::row(std::size_t index) const {
   const std::size_t begin = index == 0 ? 0 : ends[index - 1];
