@@ -17,12 +17,19 @@ void BarOptions::declare(Command& command) {
   } else {
     command.body("cone");
     command.quantity("--length", length_m_, "m", Sign::positive, "length of the cone").required();
-    command.quantity("--diameters", diameters_m_, "m", Sign::positive, "diameters at end A and end B: D1,D2").required();
-    command.parsed<Material>("--material", material_, parse_material, "MATERIAL", "a name (steel, aluminium, nylon-6) or E:rho[:nu], 2.8GPa:1150kg/m3:0.40")
+    command.quantity("--diameters", diameters_m_, "m", Sign::positive, "diameters at end A and end B: D1,D2")
+        .required();
+    command
+        .parsed<Material>("--material", material_, parse_material, "MATERIAL",
+                          "a name (steel, aluminium, nylon-6) or E:rho[:nu], 2.8GPa:1150kg/m3:0.40")
         .required();
   }
-  command.choice<Face>("--face", faces_, {{"A", Face::a}, {"B", Face::b}}, "end that is struck; A,B for both (2x2 response)").required();
-  command.choice<FarEnd>("--far-end", far_end_, {{"free", FarEnd::free}, {"fixed", FarEnd::fixed}, {"infinite", FarEnd::infinite}},
+  command
+      .choice<Face>("--face", faces_, {{"A", Face::a}, {"B", Face::b}},
+                    "end that is struck; A,B for both (2x2 response)")
+      .required();
+  command.choice<FarEnd>("--far-end", far_end_,
+                         {{"free", FarEnd::free}, {"fixed", FarEnd::fixed}, {"infinite", FarEnd::infinite}},
                          "what holds the other end; infinite: it goes on for ever with its end section");
 }
 

@@ -9,8 +9,8 @@
 
 namespace impulse {
 
-/// The options that describe a bar, as a chain (`--segment`, body "bar") or as one cone (`--length --diameters --material`, body "cone"),
-/// on the command line of a tool or as the keys of a body file.
+/// The options that describe a bar, as a chain (`--segment`, body "bar") or as one cone (`--length --diameters
+/// --material`, body "cone"), on the command line of a tool or as the keys of a body file.
 class BarOptions {
  public:
   enum class Kind { chain, cone };

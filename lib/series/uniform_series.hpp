@@ -11,6 +11,7 @@ struct UniformGrid {
   std::size_t size = 0;
 
   [[nodiscard]] double time_s(std::size_t index) const { return step_s * static_cast<double>(index); }
+  friend bool operator==(const UniformGrid&, const UniformGrid&) = default;
   [[nodiscard]] double duration_s() const { return size == 0 ? 0 : time_s(size - 1); }
 };
 

@@ -18,13 +18,16 @@ void load(std::span<const double> from, std::size_t count, RealBuffer& time, std
   std::fill(time.begin() + static_cast<std::ptrdiff_t>(available), time.begin() + static_cast<std::ptrdiff_t>(length), 0.0);
 }
 
-void multiply(ComplexBuffer& into, const ComplexBuffer& by, std::size_t count) {
+/// Product of two spectra over the transform's length, which inverse_sum leaves out.
+void multiply(ComplexBuffer& into, const ComplexBuffer& by, const RealFft& fft) {
+  const std::size_t count = fft.spectrum_size();
+  const double scale = 1.0 / static_cast<double>(fft.size());
   // Written out, since std::complex's product checks for infinities and does not vectorise.
   auto* x = reinterpret_cast<double*>(into.data());
   const auto* y = reinterpret_cast<const double*>(by.data());
   for (std::size_t k = 0; k < 2 * count; k += 2) {
-    const double re = x[k] * y[k] - x[k + 1] * y[k + 1];
-    x[k + 1] = x[k] * y[k + 1] + x[k + 1] * y[k];
+    const double re = scale * (x[k] * y[k] - x[k + 1] * y[k + 1]);
+    x[k + 1] = scale * (x[k] * y[k + 1] + x[k + 1] * y[k]);
     x[k] = re;
   }
 }
@@ -52,13 +55,13 @@ void PowerSeriesDivision::reciprocal(std::span<const double> w) {
     fft.forward(time_, w_spectrum_);
     load(std::span(reciprocal_).first(known), known, time_, length);
     fft.forward(time_, reciprocal_spectrum_);
-    multiply(w_spectrum_, reciprocal_spectrum_, fft.spectrum_size());
-    fft.inverse(w_spectrum_, time_);
+    multiply(w_spectrum_, reciprocal_spectrum_, fft);
+    fft.inverse_sum(w_spectrum_, time_);
     // w·g = 1 + z^known e + ...: what wraps around lands in the first half, which is known to be 1, 0, 0, ...
     std::fill_n(time_.begin(), known, 0.0);
     fft.forward(time_, w_spectrum_);
-    multiply(w_spectrum_, reciprocal_spectrum_, fft.spectrum_size());
-    fft.inverse(w_spectrum_, time_);
+    multiply(w_spectrum_, reciprocal_spectrum_, fft);
+    fft.inverse_sum(w_spectrum_, time_);
     for (std::size_t k = known; k < length; ++k) reciprocal_[k] = -time_[k];
   }
 }
@@ -70,8 +73,8 @@ void PowerSeriesDivision::divide_once(std::span<const double> b, std::span<const
   fft.forward(time_, reciprocal_spectrum_);
   load(b, half, time_, length_);
   fft.forward(time_, work_spectrum_);
-  multiply(work_spectrum_, reciprocal_spectrum_, fft.spectrum_size());
-  fft.inverse(work_spectrum_, time_);
+  multiply(work_spectrum_, reciprocal_spectrum_, fft);
+  fft.inverse_sum(work_spectrum_, time_);
   std::copy_n(time_.begin(), std::min(half, size_), x.begin());
   if (size_ <= half) return;
   // Second half: (b - w·x_low) / w. The product's wrap-around lands in the first half, where it equals b and is not needed.
@@ -79,13 +82,13 @@ void PowerSeriesDivision::divide_once(std::span<const double> b, std::span<const
   fft.forward(time_, work_spectrum_);
   load(w, length_, time_, length_);
   fft.forward(time_, w_spectrum_);
-  multiply(work_spectrum_, w_spectrum_, fft.spectrum_size());
-  fft.inverse(work_spectrum_, time_);
+  multiply(work_spectrum_, w_spectrum_, fft);
+  fft.inverse_sum(work_spectrum_, time_);
   std::fill_n(time_.begin(), half, 0.0);
   for (std::size_t k = half; k < length_; ++k) time_[k] = (k < b.size() ? b[k] : 0.0) - time_[k];
   fft.forward(time_, work_spectrum_);
-  multiply(work_spectrum_, reciprocal_spectrum_, fft.spectrum_size());
-  fft.inverse(work_spectrum_, time_);
+  multiply(work_spectrum_, reciprocal_spectrum_, fft);
+  fft.inverse_sum(work_spectrum_, time_);
   std::copy_n(time_.begin() + static_cast<std::ptrdiff_t>(half), size_ - half, x.begin() + static_cast<std::ptrdiff_t>(half));
 }
 
@@ -93,8 +96,8 @@ double PowerSeriesDivision::residual(std::span<const double> b, std::span<const 
   const RealFft& fft = ffts_[fft_index(2 * length_)];
   load(x, size_, time_, 2 * length_);
   fft.forward(time_, work_spectrum_);
-  multiply(work_spectrum_, full_w_spectrum_, fft.spectrum_size());
-  fft.inverse(work_spectrum_, time_);
+  multiply(work_spectrum_, full_w_spectrum_, fft);
+  fft.inverse_sum(work_spectrum_, time_);
   double largest = 0;
   for (std::size_t k = 0; k < size_; ++k) {
     r[k] = b[k] - time_[k];

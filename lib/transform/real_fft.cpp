@@ -67,10 +67,14 @@ void RealFft::forward(const RealBuffer& time, ComplexBuffer& spectrum) const {
   fftw_execute_dft_r2c(plans_->forward, const_cast<double*>(time.data()), fftw_pointer(spectrum.data()));
 }
 
-void RealFft::inverse(ComplexBuffer& spectrum, RealBuffer& time) const {
+void RealFft::inverse_sum(ComplexBuffer& spectrum, RealBuffer& time) const {
   require(time.size() >= size_ && spectrum.size() >= spectrum_size(), "transform of length {} needs buffers of {} and {}",
           size_, size_, spectrum_size());
   fftw_execute_dft_c2r(plans_->inverse, fftw_pointer(spectrum.data()), time.data());
+}
+
+void RealFft::inverse(ComplexBuffer& spectrum, RealBuffer& time) const {
+  inverse_sum(spectrum, time);
   const double scale = 1.0 / static_cast<double>(size_);
   for (std::size_t j = 0; j < size_; ++j) time[j] *= scale;
 }

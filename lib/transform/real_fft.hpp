@@ -44,6 +44,8 @@ class RealFft {
   void forward(const RealBuffer& time, ComplexBuffer& spectrum) const;
   /// Overwrites `spectrum`, as FFTW does.
   void inverse(ComplexBuffer& spectrum, RealBuffer& time) const;
+  /// n times the inverse transform, for callers that divide where they pass over the data anyway.
+  void inverse_sum(ComplexBuffer& spectrum, RealBuffer& time) const;
 
  private:
   struct Plans;
