@@ -173,9 +173,9 @@ Command::Option& Command::flag(const std::string& flag, bool& value, const std::
 void Command::files(const std::string& metavar, std::vector<std::string>& values, std::size_t least, std::size_t most,
                     const std::string& help) {
   std::string shown = metavar;
-  if (most > 1 && !shown.ends_with("...")) shown += "...";
+  if (most > 1 && shown.find("...") == shown.npos) shown += "...";
   if (least == 0) shown = "[" + shown + "]";
-  parser_->files = parser_->app.add_option(metavar, CLI::callback_t{}, wrapped(help, 70));
+  parser_->files = parser_->app.add_option("files", CLI::callback_t{}, wrapped(help, 70));
   parser_->files->type_name(shown)->expected(1, -1)->allow_extra_args()->multi_option_policy(
       CLI::MultiOptionPolicy::TakeAll);
   parser_->file_values = &values;
@@ -280,6 +280,7 @@ void Command::apply_command_line() {
           parser_->least_files > 1 ? fmt::format(", at least {}", parser_->least_files) : "");
   if (values.size() > parser_->most_files)
     throw std::invalid_argument(fmt::format("unexpected argument '{}'", values[parser_->most_files]));
+  require(std::count(values.begin(), values.end(), "-") <= 1, "standard input ('-') can be read only once");
   *parser_->file_values = values.empty() ? std::vector<std::string>{"-"} : values;
 }
 

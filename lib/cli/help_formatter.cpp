@@ -55,6 +55,11 @@ std::string HelpFormatter::make_help(const CLI::App* app, std::string name, CLI:
   return help;
 }
 
+// The name by which CLI11 knows the arguments cannot hold what several different ones are called together.
+std::string HelpFormatter::make_option_name(const CLI::Option* option, bool is_positional) const {
+  return is_positional ? option->get_type_name() : option->get_name(false, true);
+}
+
 std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
   return option->get_positional() || option->get_type_size() == 0 ? "" : " " + option->get_type_name();
 }

@@ -37,10 +37,8 @@ std::string header_line(const std::vector<std::string>& names) {
   return line + '\n';
 }
 
-void require_finite(const std::string& path, const std::string& name, std::size_t row, double value) {
-  if (!std::isfinite(value))
-    throw OutputError(fmt::format("cannot write {}: column {}, row {} is {}",
-                                  path.empty() || path == "-" ? "stdout" : path, name, row + 1, value));
+void require_finite(const std::string& name, double value) {
+  if (!std::isfinite(value)) throw OutputError(fmt::format("column {} is not written: a value is {}", name, value));
 }
 
 }  // namespace
@@ -52,7 +50,7 @@ void write_csv(const std::string& path, std::span<const NamedColumn> columns) {
   for (const NamedColumn& column : columns) {
     require(column.values.size() == row_count, "column {} has {} values, column {} has {}", column.name,
             column.values.size(), columns.front().name, row_count);
-    for (std::size_t row = 0; row < row_count; ++row) require_finite(path, column.name, row, column.values[row]);
+    for (const double value : column.values) require_finite(column.name, value);
     names.push_back(column.name);
   }
   OutputFile file(path);
@@ -83,11 +81,11 @@ void CsvOutput::row(const std::vector<CsvField>& fields) {
   std::string line;
   for (std::size_t i = 0; i < fields.size(); ++i) {
     if (i > 0) line += ',';
-    if (const auto* text = std::get_if<std::string>(&fields[i])) append_text(line, *text);
-    if (const auto* number = std::get_if<double>(&fields[i])) {
-      if (!std::isfinite(*number))
-        throw OutputError(fmt::format("cannot write column {}: it is {}", names_[i], *number));
-      append_number(line, *number);
+    if (!fields[i].number_) {
+      append_text(line, fields[i].text_);
+    } else {
+      require_finite(names_[i], *fields[i].number_);
+      append_number(line, *fields[i].number_);
     }
   }
   file_.write(line + '\n');

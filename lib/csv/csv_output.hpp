@@ -3,9 +3,10 @@
 #include "lib/csv/output_file.hpp"
 
 #include <initializer_list>
+#include <optional>
 #include <span>
 #include <string>
-#include <variant>
+#include <utility>
 #include <vector>
 
 namespace impulse {
@@ -23,8 +24,20 @@ struct NamedColumn {
 void write_csv(const std::string& path, std::span<const NamedColumn> columns);
 void write_csv(const std::string& path, std::initializer_list<NamedColumn> columns);
 
-/// A field of a row that mixes text and numbers; std::monostate is an empty field.
-using CsvField = std::variant<std::monostate, std::string, double>;
+/// A field of a row that mixes text and numbers. Empty by default and for a std::optional without value.
+class CsvField {
+ public:
+  CsvField() = default;
+  CsvField(std::string text) : text_(std::move(text)) {}  // NOLINT(google-explicit-constructor): rows read as lists
+  CsvField(const char* text) : text_(text) {}             // NOLINT(google-explicit-constructor)
+  CsvField(double number) : number_(number) {}            // NOLINT(google-explicit-constructor)
+  CsvField(std::optional<double> number) : number_(number) {}  // NOLINT(google-explicit-constructor)
+
+ private:
+  friend class CsvOutput;
+  std::string text_;
+  std::optional<double> number_;
+};
 
 /// Writes a CSV of mixed rows one by one; nothing appears under `path` before close().
 class CsvOutput {

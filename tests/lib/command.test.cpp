@@ -156,6 +156,7 @@ TEST_CASE("command: positional files") {
   CHECK(Parsed({"a", "--speed", "1", "-"}, 2).values.files == std::vector<std::string>{"a", "-"});
   CHECK(Parsed({"--speed", "1", "--", "-a"}, 2).values.files == std::vector<std::string>{"-a"});
   CHECK_THROWS_WITH(Parsed({"--speed", "1", "a", "b", "c"}, 2), "unexpected argument 'c'");
+  CHECK_THROWS_WITH(Parsed({"--speed", "1", "-", "-"}, 2), "standard input ('-') can be read only once");
   Command command(page);
   std::vector<std::string> files;
   command.files("RESPONSE", files, 2, 9, "responses");

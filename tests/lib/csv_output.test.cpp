@@ -40,7 +40,7 @@ TEST_CASE("write_csv refuses before it writes") {
   const std::vector<double> two{1, 2}, three{1, 2, 3}, bad{1, std::nan("")};
   CHECK_THROWS_WITH_AS(write_csv(directory / "a.csv", {{"x", two}, {"y", three}}),
                        "column y has 3 values, column x has 2", std::invalid_argument);
-  CHECK_THROWS_WITH_AS(write_csv(directory / "a.csv", {{"x", bad}}), doctest::Contains("column x, row 2 is nan"),
+  CHECK_THROWS_WITH_AS(write_csv(directory / "a.csv", {{"x", bad}}), "column x is not written: a value is nan",
                        OutputError);
   CHECK_THROWS_AS(write_csv(directory / "a.csv", {}), std::invalid_argument);
   CHECK(directory.file_count() == 0);
@@ -50,7 +50,7 @@ TEST_CASE("CsvOutput quotes what needs it and reads back the same") {
   const TemporaryDirectory directory;
   const std::vector<std::string> texts{"plain.csv", "a,b", "say \"no\"", " blank", "# note", "two\nlines"};
   CsvOutput output(directory / "a.csv", {"file", "value", "maybe"});
-  for (const std::string& text : texts) output.row({text, 1.5, {}});
+  for (const std::string& text : texts) output.row({text, 1.5, std::optional<double>()});
   CHECK_THROWS_AS(output.row({std::string("x")}), std::invalid_argument);
   CHECK_THROWS_AS(output.row({std::string("x"), std::nan(""), {}}), OutputError);
   output.close();
