@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -10,7 +11,12 @@ struct UniformGrid {
   double step_s = 0;
   std::size_t size = 0;
 
-  [[nodiscard]] double time_s(std::size_t index) const { return step_s * static_cast<double>(index); }
+  /// k·step, as k/n where the step is 1/n to rounding: 12 steps of 40 µs are 0.00048, not 0.00047999999999999996.
+  [[nodiscard]] double time_s(std::size_t index) const {
+    const double per_second = std::nearbyint(1 / step_s);
+    const bool whole = std::abs(per_second * step_s - 1) < 4e-16;
+    return whole ? static_cast<double>(index) / per_second : step_s * static_cast<double>(index);
+  }
   friend bool operator==(const UniformGrid&, const UniformGrid&) = default;
   [[nodiscard]] double duration_s() const { return size == 0 ? 0 : time_s(size - 1); }
 };
