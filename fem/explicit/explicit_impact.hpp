@@ -1,0 +1,83 @@
+#pragma once
+
+#include "lib/law/impact_history.hpp"
+#include "lib/model/structure.hpp"
+
+#include <cstddef>
+
+namespace impulse {
+
+/// How the contact force at the end of a step is found.
+enum class Matching {
+  direct,     ///< the end velocities are affine in it: one trial, corrected by the faces' responses to a unit ramp
+  bisection,  ///< the published procedure: bisection on the force increment, each evaluation a trial of both bodies
+};
+
+/// The force at first touch.
+enum class ImpactStart {
+  wave_admittance,  ///< F₀ = V/(H₁(0+) + H₂(0+)), the jump of the continuous bodies; `held` where either is unknown
+  held,             ///< F₀ = F₁
+  zero,             ///< F₀ = 0, the published flow chart; below Courant number 1 it rings as an undamped zigzag
+};
+
+enum class AfterContact {
+  go_on,  ///< both bodies move on freely up to the duration
+  stop,   ///< the record ends with the third sample without compression
+};
+
+struct ExplicitImpact {
+  double speed_m_per_s = 0;              ///< V > 0, of every node of the projectile, into the target
+  double step_s = 0;                     ///< the target's; the force is linear within it
+  std::size_t projectile_subcycles = 1;  ///< m ≥ 1: the projectile's step is step_s/m
+  double duration_s = 0;                 ///< of the record
+  Matching matching = Matching::direct;
+  ImpactStart start = ImpactStart::wave_admittance;
+  AfterContact after_contact = AfterContact::go_on;
+};
+
+/// A body at the end of the record.
+struct BodyBalance {
+  double momentum_Ns = 0;       ///< Σ m v, positive in the direction in which the projectile arrives
+  double kinetic_energy_J = 0;  ///< Σ ½ m v²
+  double strain_energy_J = 0;   ///< ½ dᵀKd
+  double dissipated_J = 0;      ///< ∫ vᵀCv dt in the dashpots, v relative to the motion before impact
+  double step_s = 0;            ///< of its own integration
+  std::size_t step_count = 0;   ///< its integration steps, trials included
+};
+
+struct ExplicitImpactResult {
+  ImpactHistory history;
+  BodyBalance projectile;
+  BodyBalance target;
+  std::size_t trial_count = 0;  ///< trial integrations of both bodies through a step of the target
+};
+
+/// Impact of two bodies with lumped mass by explicit central differences, at rest relative to each other's faces from
+/// t = 0 until contact ends. At the end of each target step t_n = nΔt
+///
+///   V - c₁ᵀv₁ = c₂ᵀv₂
+///
+/// fixes the force F_n, linear in between and compressive positive; the projectile takes m steps of Δt/m through the
+/// same ramp. d₁, v₁ are departures from the rigid flight with V, in which a linear body bears no force: the force of
+/// both bodies acts along their contact functionals, c₁ pointing against V.
+/// The contact ends as ImpactHistory says; a force below 1e-9 of the peak counts as none, so that rounding does not
+/// prolong a contact. Both bodies then return to the last sample in compression and go on from there with a force
+/// that falls to zero at contact_end_s (scaled so that each receives that impulse to rounding): the separated bodies
+/// carry no trace of the tension that found the end, and Σ m v changes by ∓impulse_Ns(history) exactly.
+/// History: row 0 has the right limits of velocity for `wave_admittance`, V and 0 otherwise; at a wave front on a
+/// sample force and velocity are the mean of both sides.
+///
+///   energy_error = |V ∫F dt - Σ (½vᵀMv + ½dᵀKd + ∫vᵀCv dt)| / (V ∫F dt)
+///
+/// with the departures d, v of both bodies when contact ends: the sum is the work ∫F (V - v₁ + v₂) dt done on them.
+/// It falls like Δt: a front between nodes of different velocity hides kinetic energy in its node.
+/// Order 2 away from wave fronts; nodally exact for rods where every element has Courant number 1 (step Δt = h/c).
+/// `direct` and `bisection` agree to 1e-9 of the peak. Stable for any m (tried over 30 ms). No allocation in the loop.
+/// @throws std::invalid_argument unless speed, step and duration are positive and finite, subcycles ≥ 1, each body has
+/// one contact and lumped mass, both steps are stable, and the projectile is free to fly;
+/// ConvergenceError if bisection misses its tolerance.
+/// Reference: thesis chapter 4.3 and appendix 1. Verified by: tests/fem/explicit_impact.test.cpp
+[[nodiscard]] ExplicitImpactResult explicit_impact(const Structure& projectile, const Structure& target,
+                                                   const ExplicitImpact& impact);
+
+}  // namespace impulse
