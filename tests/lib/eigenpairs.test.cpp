@@ -9,6 +9,7 @@
 #include <cmath>
 #include <limits>
 #include <numbers>
+#include <utility>
 
 using namespace impulse;
 using namespace impulse::test;
@@ -84,6 +85,14 @@ TEST_CASE("eigenpairs: the dense method gives the consistent bar's closed form, 
   }
 }
 
+TEST_CASE("eigenpairs: the dense method reads the lower triangles") {
+  const Pencil bar = consistent_bar(20, 3, 0.2);
+  Eigen::MatrixXd k(bar.k), m(bar.m);
+  k.triangularView<Eigen::StrictlyUpper>().setConstant(7);
+  m.triangularView<Eigen::StrictlyUpper>().setConstant(7);
+  for (const std::size_t count : {3U, 21U}) CHECK(equation_error(dense_eigenpairs(k, m, count), bar) <= 20 * epsilon);
+}
+
 TEST_CASE("eigenpairs: shift-invert finds every multiple eigenvalue") {
   constexpr Eigen::Index q = 12;
   const Pencil plate = grid(q);
@@ -112,6 +121,20 @@ TEST_CASE("eigenpairs: shift-invert finds eigenvalues of high multiplicity") {
       CHECK(pairs.values(i) ==
             doctest::Approx(std::pow(chain_frequency(i / 5, n, 1, 2, Ends::fixed), 2)).epsilon(1e-11));
     CHECK(orthonormality_error(pairs, chains.m) <= 1e-11);
+  }
+}
+
+TEST_CASE("eigenpairs: shift-invert finds the multiple eigenvalues that ARPACK alone passes over") {
+  // Values 1, 2, 3, ..., each five or ten times: ARPACK converges before rounding shows it all of the copies.
+  constexpr Eigen::Index n = 400;
+  for (const auto& [multiplicity, count] : {std::pair{5, 5U}, {10, 12U}}) {
+    CAPTURE(multiplicity);
+    const Eigen::VectorXd exact = Eigen::VectorXd::NullaryExpr(
+        n, [copies = multiplicity](Eigen::Index i) { return 1 + static_cast<double>(i / copies); });
+    const Eigenpairs pairs =
+        shift_invert_eigenpairs(sparse(exact.asDiagonal().toDenseMatrix()), lumped_mass(n, 1), count, -0.5);
+    CHECK((pairs.values - exact.head(count)).cwiseAbs().maxCoeff() <= 1e-12);
+    CHECK(orthonormality_error(pairs, lumped_mass(n, 1)) <= 1e-12);
   }
 }
 
