@@ -160,6 +160,7 @@ std::string gnuplot_output(const std::string& script) {
   std::string output = contents(out.get());
   if (!WIFEXITED(status) || WEXITSTATUS(status) != 0 || output.empty())
     throw std::runtime_error(fmt::format("gnuplot failed: {}", last_message(contents(err.get()))));
+  if (output.starts_with('\f')) output.erase(0, 1);  // the dumb terminal clears the screen
   fix_pdf_date(output);
   return output;
 }
