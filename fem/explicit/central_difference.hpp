@@ -11,7 +11,8 @@ namespace impulse {
 /// f(d) [N], written into a vector of the right size: the internal force of a body, linear or not.
 using InternalForce = std::function<void(const Eigen::VectorXd& displacement, Eigen::VectorXd& force)>;
 
-/// f(d) = Kd. A tridiagonal K is multiplied by its three diagonals, any other as a sparse matrix.
+/// f(d) = Kd. A tridiagonal K is applied as springs between neighbours, whose forces cancel to the last bit in the sum; any other as a
+/// sparse matrix.
 [[nodiscard]] InternalForce linear_internal_force(const Eigen::SparseMatrix<double>& stiffness);
 
 /// The diagonal of a lumped mass matrix [kg].
