@@ -32,15 +32,20 @@ TEST_CASE("roots: both methods find known roots within the tolerance asked for")
 }
 
 TEST_CASE("roots: a tolerance below the rounding is met at the rounding") {
-  for (const auto root : {bracketed_root, bisected_root})
+  for (const auto root : {bracketed_root, bisected_root}) {
     CHECK(std::abs(root([](double x) { return std::exp(x) - 2; }, 0, 1, {.relative = 0}) - std::numbers::ln2) <=
           8 * std::numeric_limits<double>::epsilon());
+    // Never 0, so only the width of the bracket can end the search.
+    CHECK(std::abs(root([](double x) { return x < 0.7 ? -1.0 : 1.0; }, 0, 1, {.relative = 0}) - 0.7) <=
+          8 * std::numeric_limits<double>::epsilon());
+  }
 }
 
 TEST_CASE("roots: an end that is a root is the answer") {
   for (const auto root : {bracketed_root, bisected_root}) {
     CHECK(root([](double x) { return x - 1; }, 1, 2, {}) == 1);
     CHECK(root([](double x) { return x - 2; }, 1, 2, {}) == 2);
+    CHECK(root([](double x) { return 2 - x; }, 1, 2, {}) == 2);
   }
 }
 
