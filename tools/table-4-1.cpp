@@ -98,7 +98,7 @@ int main(int argc, char** argv) {
                    "Each row is one run at the published step: impulse-response (exact modes up to the Nyquist frequency, trapezoidal rule) and "
                    "finite-elements (central differences, bisection, elements as short as stability allows). cpu_s is the process's CPU time from the "
                    "bodies to the force, ratio is published over own, relative_l2 the error against travelling waves at 0.1 us, jumps included.",
-                   "table-4-1 --experiments \"$IMPULSE_SOURCE/data/experiments\""});
+                   "table-4-1 --repeat 3"});
   Request request;
   request.declare(command);
   return run_tool(argc, argv, command, [&] { return run(request); });

@@ -17,7 +17,7 @@ struct ToolPage {
   std::string name;         ///< of the command, `ir-bar`
   std::string summary;      ///< one line
   std::string description;  ///< paragraphs; may be empty
-  std::string example;      ///< shell lines that run as they stand in an empty directory, with the tools in PATH
+  std::string example;      ///< shell lines that run as they stand in the project's folder, with the tools in PATH
 };
 
 enum class Sign { any, positive, non_negative };
