@@ -37,8 +37,8 @@ InternalForce linear_internal_force(const Sparse& stiffness) {
   const Eigen::Index n = stiffness.rows();
   if (n < 2 || !is_tridiagonal(stiffness))
     return [stiffness](const Eigen::VectorXd& d, Eigen::VectorXd& f) { f.noalias() = stiffness * d; };
-  // As springs between neighbours and to the ground, so that what one element loses the next one gains to the last bit: K's own rows
-  // sum to rounding only, which leaks momentum at the rate of rounding times the distance flown.
+  // As springs between neighbours and to the ground, so that what one element loses the next one gains to the last bit:
+  // K's own rows sum to rounding only, which leaks momentum at the rate of rounding times the distance flown.
   const Eigen::VectorXd main = stiffness.diagonal();
   Eigen::VectorXd spring(n - 1);
   for (Eigen::Index i = 0; i + 1 < n; ++i) spring[i] = -stiffness.coeff(i + 1, i);

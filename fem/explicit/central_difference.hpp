@@ -11,8 +11,8 @@ namespace impulse {
 /// f(d) [N], written into a vector of the right size: the internal force of a body, linear or not.
 using InternalForce = std::function<void(const Eigen::VectorXd& displacement, Eigen::VectorXd& force)>;
 
-/// f(d) = Kd. A tridiagonal K is applied as springs between neighbours, whose forces cancel to the last bit in the sum; any other as a
-/// sparse matrix.
+/// f(d) = Kd. A tridiagonal K is applied as springs between neighbours, whose forces cancel to the last bit in the sum;
+/// any other as a sparse matrix.
 [[nodiscard]] InternalForce linear_internal_force(const Eigen::SparseMatrix<double>& stiffness);
 
 /// The diagonal of a lumped mass matrix [kg].
@@ -38,7 +38,7 @@ struct MotionState {
 /// a sample is its mean of both sides. Without elements fixed to the ground momentum changes by ½Δt(F_old + F_new).
 /// No allocation after construction.
 /// @throws std::invalid_argument on construction unless sizes agree and step and masses are positive.
-/// Reference: [Belytschko2013] ch. 6. Verified by: tests/fem/central_difference.test.cpp
+/// Verified by: tests/fem/central_difference.test.cpp
 class CentralDifference {
  public:
   /// `dashpots` may be empty. Does not look at stability: see require_stable_step.

@@ -41,6 +41,12 @@ double StrikingBody::strain_energy() const {
   return 0.5 * force.dot(now.motion.displacement);
 }
 
+double StrikingBody::received_work() const {
+  const double step = step_s();
+  const double curvature = mass_.dot(now.motion.acceleration.cwiseAbs2());
+  return kinetic_energy() + strain_energy() - step * step / 8 * curvature + now.dissipated_J;
+}
+
 UnitResponse::UnitResponse(const StrikingBody& body, double begin_force) {
   StrikingBody rested = body;
   rested.now.motion = MotionState::at_rest(body.now.motion.velocity.size());
