@@ -1,0 +1,198 @@
+#include "impulse/contact/contact_march.hpp"
+
+#include "lib/contract/errors.hpp"
+#include "lib/contract/require.hpp"
+#include "lib/numerics/roots.hpp"
+#include "lib/transform/causal_convolution.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+namespace impulse {
+namespace {
+
+/// Mean force over a path from one indentation to another, by the energy that the law takes up; by Simpson's rule where the difference of energies
+/// would be rounding.
+double mean_force(const ContactLaw& law, const LawHistory& history, double from, double to) {
+  const double distance = to - from;
+  if (std::abs(distance) < 1e-3 * std::max(std::abs(from), std::abs(to))) {
+    const double middle = law.force(0.5 * (from + to), history);
+    return (law.force(from, history) + 4 * middle + law.force(to, history)) / 6;
+  }
+  const LawHistory after = law.advanced(history, to);
+  const double taken_up = law.stored_energy(to, after) + after.dissipated_J - law.stored_energy(from, history) - history.dissipated_J;
+  return taken_up / distance;
+}
+
+/// State of one contact while it is marched.
+class Contact {
+ public:
+  Contact(const MarchedContact& given, double own_compliance, std::size_t size)
+      : given_(given), compliance_(own_compliance), indentation_(-given.gap_m) {
+    result_.mean_force_N.reserve(size - 1);
+    record();
+  }
+
+  /// Mean force over the step in which the contact would come from here to `free` without a force of its own.
+  [[nodiscard]] double force_for(double free) const {
+    if (finished_) return 0;
+    if (given_.law.is_rigid()) return std::max(0.0, free / compliance_);
+    const double opens_at = given_.law.permanent_indentation(history_);
+    if (free <= opens_at && indentation_ <= opens_at) return 0;
+    // Force and indentation grow together, so the end lies between the free one and that under the force there.
+    const auto excess = [&](double end) { return end - free + compliance_ * mean_force(given_.law, history_, indentation_, end); };
+    const double high = std::min(free, given_.law.largest_possible_indentation_m());
+    require(excess(high) >= 0, "the contact is pressed to {:.4g} m, beyond the last point of its law's table ({:.4g} m)", free, high);
+    double low = std::min(opens_at, indentation_) - std::abs(free - indentation_);
+    while (excess(low) > 0) low -= std::max(std::abs(high - low), 1e-300);
+    const double scale = std::max({std::abs(free), std::abs(indentation_), std::abs(low)});
+    const double end = bracketed_root(excess, low, high, {.absolute = 1e-17 * scale + 1e-300, .relative = 1e-15});
+    return mean_force(given_.law, history_, indentation_, end);
+  }
+
+  void accept(double force, double free) {
+    const double end = free - compliance_ * force;
+    // A rigid contact that bears is closed exactly; rounding must not accumulate as a gap.
+    indentation_ = given_.law.is_rigid() && force > 0 ? 0 : end;
+    if (!given_.law.is_rigid()) history_ = given_.law.advanced(history_, indentation_);
+    touched_ = touched_ || force > 0;
+    open_steps_ = force > 0 ? 0 : open_steps_ + 1;
+    last_force_ = force;
+    result_.mean_force_N.push_back(force);
+    record();
+  }
+
+  void finish_if_open(Recontact recontact) {
+    const std::size_t patience = given_.law.is_rigid() ? 3 : 1;
+    if (recontact == Recontact::no && touched_ && !closed() && open_steps_ >= patience) finished_ = true;
+  }
+
+  [[nodiscard]] double indentation() const { return indentation_; }
+  [[nodiscard]] double preload() const { return given_.preload_N; }
+  [[nodiscard]] double approach(std::size_t step) const { return given_.approach_m_per_s[step]; }
+
+  [[nodiscard]] MarchedHistory take() {
+    if (given_.law.is_rigid()) {
+      const std::vector<double>& mean = result_.mean_force_N;
+      result_.force_N[0] = mean[0];
+      for (std::size_t n = 1; n < mean.size(); ++n) result_.force_N[n] = 0.5 * (mean[n - 1] + mean[n]);
+      result_.force_N[mean.size()] = mean.back();
+    }
+    return std::move(result_);
+  }
+
+ private:
+  [[nodiscard]] bool closed() const {
+    return given_.law.is_rigid() ? indentation_ >= 0 && last_force_ > 0 : indentation_ > given_.law.permanent_indentation(history_);
+  }
+  void record() {
+    const bool rigid = given_.law.is_rigid();
+    result_.indentation_m.push_back(indentation_);
+    result_.force_N.push_back(rigid || finished_ ? 0 : given_.law.force(indentation_, history_));
+    result_.stored_J.push_back(rigid || finished_ ? 0 : given_.law.stored_energy(indentation_, history_));
+    result_.dissipated_J.push_back(history_.dissipated_J);
+    result_.in_contact.push_back(closed());
+  }
+
+  const MarchedContact& given_;
+  double compliance_;  ///< Δt w_ii,0
+  double indentation_;
+  LawHistory history_;
+  bool touched_ = false;
+  bool finished_ = false;
+  double last_force_ = 0;
+  std::size_t open_steps_ = 0;
+  MarchedHistory result_;
+};
+
+/// Σ_{k<n} w_ij,n-k x_j,k for all i; kernels that vanish are skipped.
+class CoupledHistory {
+ public:
+  CoupledHistory(const std::vector<std::vector<double>>& weights, std::size_t count) : count_(count) {
+    for (const std::vector<double>& w : weights) {
+      const bool zero = std::ranges::all_of(w, [](double value) { return value == 0; });
+      pairs_.push_back(zero ? nullptr : std::make_unique<CausalConvolution>(w));
+    }
+  }
+  [[nodiscard]] double at(std::size_t i) const {
+    double sum = 0;
+    for (std::size_t j = 0; j < count_; ++j)
+      if (pairs_[i * count_ + j]) sum += pairs_[i * count_ + j]->history();
+    return sum;
+  }
+  void push(std::size_t j, double value) {
+    for (std::size_t i = 0; i < count_; ++i)
+      if (pairs_[i * count_ + j]) pairs_[i * count_ + j]->push(value);
+  }
+
+ private:
+  std::size_t count_;
+  std::vector<std::unique_ptr<CausalConvolution>> pairs_;
+};
+
+void require_consistent(const UniformGrid& grid, const std::vector<MarchedContact>& contacts, const std::vector<std::vector<double>>& weights) {
+  const std::size_t p = contacts.size();
+  require(p > 0 && grid.size >= 4, "a march needs a contact and 4 samples, not {} and {}", p, grid.size);
+  require(weights.size() == p * p, "{} contacts need {} kernels, not {}", p, p * p, weights.size());
+  for (const std::vector<double>& w : weights)
+    require(w.size() + 1 == grid.size, "a kernel has {} weights where {} samples need {}", w.size(), grid.size, grid.size - 1);
+  for (std::size_t i = 0; i < p; ++i) {
+    require(contacts[i].approach_m_per_s.size() + 1 == grid.size, "contact {}: {} approach velocities for {} steps", i + 1,
+            contacts[i].approach_m_per_s.size(), grid.size - 1);
+    require(weights[i * p + i][0] > 0, "contact {}: the bodies do not yield at all within a step of {} s (two rigid walls?)", i + 1, grid.step_s);
+  }
+}
+
+}  // namespace
+
+std::vector<MarchedHistory> march_contacts(const UniformGrid& grid, const std::vector<MarchedContact>& given,
+                                           const std::vector<std::vector<double>>& weights, Recontact recontact) {
+  require_consistent(grid, given, weights);
+  const std::size_t p = given.size();
+  const double dt = grid.step_s;
+  std::vector<Contact> contacts;
+  contacts.reserve(p);
+  for (std::size_t i = 0; i < p; ++i) contacts.emplace_back(given[i], dt * weights[i * p + i][0], grid.size);
+  CoupledHistory past(weights, p);
+  std::vector<double> force(p, 0.0);
+  std::vector<double> base(p);
+  std::vector<double> free(p);
+  bool coupled = false;
+  for (std::size_t i = 0; i < p; ++i)
+    for (std::size_t j = 0; j < p; ++j) coupled = coupled || (i != j && weights[i * p + j][0] != 0);
+
+  for (std::size_t n = 0; n + 1 < grid.size; ++n) {
+    for (std::size_t i = 0; i < p; ++i)
+      base[i] = contacts[i].indentation() + dt * (contacts[i].approach(n) - past.at(i) + weights[i * p + i][0] * contacts[i].preload());
+    // Gauss-Seidel over the contacts: one sweep settles it unless they feel each other within the step.
+    for (int sweep = 0;; ++sweep) {
+      double change = 0;
+      double size = 0;
+      for (std::size_t i = 0; i < p; ++i) {
+        free[i] = base[i];
+        for (std::size_t j = 0; j < p; ++j)
+          if (j != i) free[i] -= dt * weights[i * p + j][0] * (force[j] - contacts[j].preload());
+        const double now = contacts[i].force_for(free[i]);
+        change = std::max(change, std::abs(now - force[i]));
+        size = std::max(size, std::abs(now));
+        force[i] = now;
+      }
+      if (!coupled || change <= 1e-13 * size) break;
+      if (sweep == 1000)
+        throw ConvergenceError(fmt::format("the contacts do not settle at {:.6g} s (forces still change by {:.2g} of the largest); use a shorter step",
+                                           grid.time_s(n), change / size),
+                               1e-13, change / size, 1000);
+    }
+    for (std::size_t i = 0; i < p; ++i) {
+      contacts[i].accept(force[i], free[i]);
+      contacts[i].finish_if_open(recontact);
+      past.push(i, force[i] - contacts[i].preload());
+    }
+  }
+  std::vector<MarchedHistory> result;
+  for (Contact& contact : contacts) result.push_back(contact.take());
+  return result;
+}
+
+}  // namespace impulse
