@@ -14,7 +14,7 @@ enum class Matching {
 };
 
 /// The force at first touch. At Courant number 1 it is soon forgotten; below, velocities do not see a force (-1)ⁿ
-/// without subcycles, and what the start misses of V/(½Δt Σ cᵀM⁻¹c) rings on undamped in half its size on both sides.
+/// without subcycles, and what the start misses of V/(½Δt Σ cᵀM⁻¹c) rings on undamped with about half its size.
 enum class ImpactStart {
   wave_admittance,  ///< F₀ = V/(H₁(0+) + H₂(0+)), the jump of the continuous bodies; `held` where either is unknown
   held,             ///< F₀ = F₁
