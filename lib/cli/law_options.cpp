@@ -1,0 +1,120 @@
+#include "lib/cli/law_options.hpp"
+
+#include "lib/cli/quantity.hpp"
+#include "lib/contract/errors.hpp"
+#include "lib/law/hertz.hpp"
+
+#include <fmt/format.h>
+
+#include <cmath>
+#include <filesystem>
+#include <stdexcept>
+
+namespace impulse {
+namespace {
+
+void refuse_if(bool given, const std::string& flag, const std::string& law) {
+  if (given) throw UsageError(flag, fmt::format("means nothing to --law {}", law));
+}
+
+void need(bool given, const std::string& flag, const std::string& message) {
+  if (!given) throw UsageError(flag, message);
+}
+
+constexpr const char* unit_32 = "N/m^1.5";
+
+}  // namespace
+
+/// Which options a law takes.
+struct LawOptions::Use {
+  bool stiffness, tip, permanent;
+};
+
+void LawOptions::declare(Command& command) {
+  command.text("--law", law_, "rigid|linear|hertz|tan-sun|TABLE.csv",
+               "contact law; a table has columns indentation_m,loading_force_N[,unloading_force_N]");
+  command.text("--stiffness", stiffness_, "STIFFNESS",
+               "contact stiffness: N/m for linear, N/m^1.5 for hertz and tan-sun");
+  command.quantity("--tip-radius", tip_radius_m_, "m", Sign::positive,
+                   "radius of the striking tip: hertz and tan-sun, in place of --stiffness");
+  command.parsed<Material>("--tip-material", tip_material_, parse_material, "MATERIAL",
+                           "of the tip, with Poisson's ratio: steel:0.3 or E:rho:nu");
+  command.quantity("--target-modulus", target_modulus_Pa_, "Pa", Sign::positive,
+                   "E/(1-nu^2) of an isotropic target, E2 of the ply of a laminate");
+  command.quantity("--permanent-beta", permanent_beta_, "1", Sign::non_negative,
+                   "tan-sun: permanent indentation per indentation beyond the critical one");
+  command.quantity("--critical-indentation", critical_indentation_m_, "m", Sign::non_negative,
+                   "tan-sun: largest indentation that leaves none behind");
+}
+
+void LawOptions::require_use(const Use& use) const {
+  if (!use.stiffness) refuse_if(stiffness_.has_value(), "--stiffness", law_);
+  if (!use.tip) {
+    refuse_if(tip_radius_m_.has_value(), "--tip-radius", law_);
+    refuse_if(tip_material_.has_value(), "--tip-material", law_);
+    refuse_if(target_modulus_Pa_.has_value(), "--target-modulus", law_);
+  }
+  if (!use.permanent) {
+    refuse_if(permanent_beta_.has_value(), "--permanent-beta", law_);
+    refuse_if(critical_indentation_m_.has_value(), "--critical-indentation", law_);
+  } else {
+    const std::string message = fmt::format("--law {} needs it", law_);
+    need(permanent_beta_.has_value(), "--permanent-beta", message);
+    need(critical_indentation_m_.has_value(), "--critical-indentation", message);
+    if (*permanent_beta_ >= 1) throw UsageError("--permanent-beta", fmt::format("{} is not below 1", *permanent_beta_));
+  }
+}
+
+double LawOptions::stiffness(const std::string& unit) const {
+  const bool three_halves = unit == unit_32;
+  const bool any_of_tip = tip_radius_m_ || tip_material_ || target_modulus_Pa_;
+  if (any_of_tip && stiffness_) throw UsageError("--stiffness", "given beside a tip or target, which determine it");
+  if (any_of_tip) return stiffness_of_tip();
+  need(stiffness_.has_value(), "--stiffness",
+       fmt::format("--law {} needs it, {}{}", law_, quantity_description(unit),
+                   three_halves ? ", or --tip-radius, --tip-material and --target-modulus" : ""));
+  double value = 0;
+  try {
+    value = parse_quantity(*stiffness_, unit);
+  } catch (const std::invalid_argument& error) {
+    throw UsageError("--stiffness", error.what());
+  }
+  if (value <= 0) throw UsageError("--stiffness", fmt::format("'{}' is not positive", *stiffness_));
+  return value;
+}
+
+double LawOptions::stiffness_of_tip() const {
+  const char* message = "the stiffness follows from --tip-radius, --tip-material and --target-modulus together";
+  need(tip_radius_m_.has_value(), "--tip-radius", message);
+  need(tip_material_.has_value(), "--tip-material", message);
+  need(target_modulus_Pa_.has_value(), "--target-modulus", message);
+  if (!tip_material_->poissons_ratio)
+    throw UsageError("--tip-material",
+                     fmt::format("'{0}' has no Poisson's ratio; add one, {0}:0.3", tip_material_->name));
+  return hertz_stiffness(*tip_radius_m_, *tip_material_, *target_modulus_Pa_);
+}
+
+ContactLaw LawOptions::law() const {
+  if (law_ == "rigid") {
+    require_use({.stiffness = false, .tip = false, .permanent = false});
+    return ContactLaw::rigid();
+  }
+  if (law_ == "linear") {
+    require_use({.stiffness = true, .tip = false, .permanent = false});
+    return ContactLaw::linear(stiffness("N/m"));
+  }
+  if (law_ == "hertz") {
+    require_use({.stiffness = true, .tip = true, .permanent = false});
+    return ContactLaw::hertz(stiffness(unit_32));
+  }
+  if (law_ == "tan-sun") {
+    require_use({.stiffness = true, .tip = true, .permanent = true});
+    return ContactLaw::tan_sun(stiffness(unit_32), *permanent_beta_, *critical_indentation_m_);
+  }
+  if (law_ != "-" && !std::filesystem::exists(law_))
+    throw UsageError("--law", fmt::format("'{}' is neither rigid, linear, hertz or tan-sun nor a file", law_));
+  require_use({.stiffness = false, .tip = false, .permanent = false});
+  return ContactLaw::table(read_law_table(law_));
+}
+
+}  // namespace impulse
