@@ -13,8 +13,9 @@ enum class Recontact { no, yes };
 /// One contact of a march.
 struct MarchedContact {
   ContactLaw law = ContactLaw::rigid();
-  double gap_m = 0;      ///< at t = 0; negative: already indented
-  double preload_N = 0;  ///< constant force that pressed the bodies together before t = 0, in equilibrium with their supports
+  double residual_flexibility_m_per_N = 0;  ///< R of both bodies, in series with the law; the whole law of a rigid contact
+  double gap_m = 0;                         ///< at t = 0
+  double preload_N = 0;  ///< constant force that pressed the bodies together before t = 0, held by what holds the bodies; needs gap 0
   /// Mean over each step of the velocity of approach were there no contact force, V̄_n [m/s], one fewer than samples.
   std::vector<double> approach_m_per_s;
 };
@@ -22,8 +23,10 @@ struct MarchedContact {
 /// What a march finds for one contact.
 struct MarchedHistory {
   std::vector<double> mean_force_N;   ///< over each step
-  std::vector<double> indentation_m;  ///< at the samples; minus the gap where open
-  std::vector<double> stored_J;       ///< at the samples
+  std::vector<double> approach_m;     ///< of the bodies, at the samples: indentation + R F; minus the gap where open
+  std::vector<double> indentation_m;  ///< of the surfaces, at the samples; minus the gap where open
+  std::vector<double> stored_J;       ///< in the law, at the samples
+  std::vector<double> residual_J;     ///< in the residual flexibility: R F²/2, the bodies' own
   std::vector<double> dissipated_J;
   std::vector<double> force_N;        ///< at the samples: the law's; of a rigid contact the mean of the neighbouring steps
   std::vector<bool> in_contact;       ///< at the samples
@@ -38,6 +41,7 @@ struct MarchedHistory {
 ///
 /// and the law holds over each step in the mean that conserves energy: F̄_n = [E(α_n+1) - E(α_n)]/(α_n+1 - α_n), E = stored + dissipated.
 /// So the work of the bodies on the contacts is what the laws took up, to the tolerance of the scalar solver, whatever the step.
+/// With a residual flexibility R the approach is α + R F and its energy E + R F²/2.
 /// A rigid contact obeys F̄ ≥ 0, α ≤ 0, F̄ α = 0 at each step's end. Contacts that feel each other within a step (w_ij,0 ≠ 0) are iterated.
 /// Order 2 in Δt for laws; a rigid contact that closes inside a step loses F̄·gap, of order 1.
 /// Cost: O(p² N log² N) by relaxed convolution and a scalar equation per closed contact and step. The history is the direct sum to rounding.

@@ -20,6 +20,8 @@ struct ContactTrace {
   std::vector<double> velocity_2_m_per_s;
   std::vector<double> displacement_1_m;
   std::vector<double> displacement_2_m;
+  std::vector<double> work_1_J;  ///< received so far by the body on side 1 through this contact (negative: given up)
+  std::vector<double> work_2_J;  ///< received so far by the body on side 2
 };
 
 /// One period of contact.

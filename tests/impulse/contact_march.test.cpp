@@ -159,7 +159,6 @@ TEST_CASE("contact_march: a preload holds still until something moves it") {
   const UniformGrid grid = grid_over(200e-6, 1e-6);
   MarchedContact contact = struck(ContactLaw::linear(1e8), 0, grid);
   contact.preload_N = 500;
-  contact.gap_m = -500 / 1e8;
   const auto f = march_contacts(grid, {contact}, {sphere_on_rod(0.0333, 300, grid)}, Recontact::yes)[0];
   for (double force : f.force_N) CHECK(force == doctest::Approx(500).epsilon(1e-12));
 }
