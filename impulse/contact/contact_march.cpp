@@ -56,7 +56,7 @@ class Interface {
 class Contact {
  public:
   Contact(const MarchedContact& given, double own_compliance, std::size_t size)
-      : given_(given), interface_(given.law, given.residual_flexibility_m_per_N), compliance_(own_compliance), indentation_(-given.gap_m) {
+      : given_(given), interface_(given.law, given.residual_flexibility_m_per_N), compliance_(own_compliance), indentation_(0.0 - given.gap_m) {
     require(given.preload_N >= 0, "preload {} N is negative", given.preload_N);
     require(given.preload_N == 0 || given.gap_m == 0, "a preload of {} N and a gap of {} m exclude each other", given.preload_N, given.gap_m);
     require(given.gap_m >= 0, "gap {} m is negative", given.gap_m);
@@ -71,7 +71,11 @@ class Contact {
   /// Mean force over the step in which the bodies would approach to `free` without a force of this contact's own.
   [[nodiscard]] double force_for(double free) const {
     if (finished_) return 0;
-    if (interface_.is_rigid()) return std::max(0.0, free / compliance_);
+    if (interface_.is_rigid()) {
+      // Faces that fly together touch by rounding only; that is no contact.
+      const double force = free / compliance_;
+      return force > 1e-10 * largest_force_ ? force : 0;
+    }
     const double opens_at = interface_.law().permanent_indentation(history_);
     if (free <= opens_at && indentation_ <= opens_at) return 0;
     const double end = end_indentation(free, opens_at);
@@ -84,7 +88,7 @@ class Contact {
     if (interface_.is_rigid()) {
       // A rigid contact that bears is closed exactly, and one that arrives on a sample to rounding arrives there: a gap of rounding would
       // cost force times gap at closing and grow with every bounce.
-      if (force > 0 || std::abs(approach_) < 1e-9 * std::abs(approach_ - before)) approach_ = 0;
+      if (force > 0 || approach_ > 0 || std::abs(approach_) < 1e-9 * std::abs(approach_ - before)) approach_ = 0;
       indentation_ = approach_;
     } else if (finished_) {
       indentation_ = approach_;
@@ -96,6 +100,7 @@ class Contact {
     touched_ = touched_ || force > 0;
     open_steps_ = force > 0 ? 0 : open_steps_ + 1;
     last_force_ = force;
+    largest_force_ = std::max(largest_force_, force);
     result_.mean_force_N.push_back(force);
     record();
   }
@@ -113,6 +118,7 @@ class Contact {
     if (interface_.is_rigid()) {
       const std::vector<double>& mean = result_.mean_force_N;
       result_.force_N[0] = mean[0];
+      result_.in_contact[0] = mean[0] > 0 && result_.indentation_m[0] == 0;
       for (std::size_t n = 1; n < mean.size(); ++n) result_.force_N[n] = 0.5 * (mean[n - 1] + mean[n]);
       result_.force_N[mean.size()] = mean.back();
     }
@@ -170,6 +176,7 @@ class Contact {
   bool touched_ = false;
   bool finished_ = false;
   double last_force_ = 0;
+  double largest_force_ = 0;
   std::size_t open_steps_ = 0;
   MarchedHistory result_;
 };

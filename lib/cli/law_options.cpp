@@ -23,6 +23,17 @@ void need(bool given, const std::string& flag, const std::string& message) {
 
 constexpr const char* unit_32 = "N/m^1.5";
 
+std::vector<std::string> split(const std::string& text, char separator) {
+  std::vector<std::string> parts(1);
+  for (char c : text) {
+    if (c == separator)
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  return parts;
+}
+
 }  // namespace
 
 /// Which options a law takes.
@@ -31,8 +42,9 @@ struct LawOptions::Use {
 };
 
 void LawOptions::declare(Command& command) {
-  command.text("--law", law_, "rigid|linear|hertz|tan-sun|TABLE.csv",
-               "contact law; a table has columns indentation_m,loading_force_N[,unloading_force_N]");
+  command.text("--law", laws_, "rigid|linear|hertz|tan-sun|TABLE.csv",
+               "contact law (default: rigid); a table has columns indentation_m,loading_force_N[,unloading_force_N]; of "
+               "several contacts all the same, or repeated for each with its constants, linear:1e8N/m");
   command.text("--stiffness", stiffness_, "STIFFNESS",
                "contact stiffness: N/m for linear, N/m^1.5 for hertz and tan-sun");
   command.quantity("--tip-radius", tip_radius_m_, "m", Sign::positive,
@@ -48,17 +60,17 @@ void LawOptions::declare(Command& command) {
 }
 
 void LawOptions::require_use(const Use& use) const {
-  if (!use.stiffness) refuse_if(stiffness_.has_value(), "--stiffness", law_);
+  if (!use.stiffness) refuse_if(stiffness_.has_value(), "--stiffness", name());
   if (!use.tip) {
-    refuse_if(tip_radius_m_.has_value(), "--tip-radius", law_);
-    refuse_if(tip_material_.has_value(), "--tip-material", law_);
-    refuse_if(target_modulus_Pa_.has_value(), "--target-modulus", law_);
+    refuse_if(tip_radius_m_.has_value(), "--tip-radius", name());
+    refuse_if(tip_material_.has_value(), "--tip-material", name());
+    refuse_if(target_modulus_Pa_.has_value(), "--target-modulus", name());
   }
   if (!use.permanent) {
-    refuse_if(permanent_beta_.has_value(), "--permanent-beta", law_);
-    refuse_if(critical_indentation_m_.has_value(), "--critical-indentation", law_);
+    refuse_if(permanent_beta_.has_value(), "--permanent-beta", name());
+    refuse_if(critical_indentation_m_.has_value(), "--critical-indentation", name());
   } else {
-    const std::string message = fmt::format("--law {} needs it", law_);
+    const std::string message = fmt::format("--law {} needs it", name());
     need(permanent_beta_.has_value(), "--permanent-beta", message);
     need(critical_indentation_m_.has_value(), "--critical-indentation", message);
     if (*permanent_beta_ >= 1) throw UsageError("--permanent-beta", fmt::format("{} is not below 1", *permanent_beta_));
@@ -71,7 +83,7 @@ double LawOptions::stiffness(const std::string& unit) const {
   if (any_of_tip && stiffness_) throw UsageError("--stiffness", "given beside a tip or target, which determine it");
   if (any_of_tip) return stiffness_of_tip();
   need(stiffness_.has_value(), "--stiffness",
-       fmt::format("--law {} needs it, {}{}", law_, quantity_description(unit),
+       fmt::format("--law {} needs it, {}{}", name(), quantity_description(unit),
                    three_halves ? ", or --tip-radius, --tip-material and --target-modulus" : ""));
   double value = 0;
   try {
@@ -94,27 +106,50 @@ double LawOptions::stiffness_of_tip() const {
   return hertz_stiffness(*tip_radius_m_, *tip_material_, *target_modulus_Pa_);
 }
 
+std::vector<ContactLaw> LawOptions::laws(std::size_t contact_count) const {
+  if (laws_.size() <= 1) return std::vector<ContactLaw>(contact_count, law());
+  if (laws_.size() != contact_count)
+    throw UsageError("--law", fmt::format("given {} times for {} contacts; give it once, or once for each", laws_.size(), contact_count));
+  std::vector<ContactLaw> laws;
+  for (const std::string& text : laws_) {
+    LawOptions one;
+    std::vector<std::string> parts = split(text, ':');
+    one.laws_ = {parts[0]};
+    if (parts.size() > 1) one.stiffness_ = parts[1];
+    try {
+      if (parts.size() > 2) one.permanent_beta_ = parse_quantity(parts[2], "1");
+      if (parts.size() > 3) one.critical_indentation_m_ = parse_quantity(parts[3], "m");
+    } catch (const std::invalid_argument& error) {
+      throw UsageError("--law", fmt::format("'{}': {}", text, error.what()));
+    }
+    if (parts.size() > 4) throw UsageError("--law", fmt::format("'{}' has too many parts", text));
+    laws.push_back(one.law());
+  }
+  return laws;
+}
+
 ContactLaw LawOptions::law() const {
-  if (law_ == "rigid") {
+  const std::string law = name();
+  if (law == "rigid") {
     require_use({.stiffness = false, .tip = false, .permanent = false});
     return ContactLaw::rigid();
   }
-  if (law_ == "linear") {
+  if (law == "linear") {
     require_use({.stiffness = true, .tip = false, .permanent = false});
     return ContactLaw::linear(stiffness("N/m"));
   }
-  if (law_ == "hertz") {
+  if (law == "hertz") {
     require_use({.stiffness = true, .tip = true, .permanent = false});
     return ContactLaw::hertz(stiffness(unit_32));
   }
-  if (law_ == "tan-sun") {
+  if (law == "tan-sun") {
     require_use({.stiffness = true, .tip = true, .permanent = true});
     return ContactLaw::tan_sun(stiffness(unit_32), *permanent_beta_, *critical_indentation_m_);
   }
-  if (law_ != "-" && !std::filesystem::exists(law_))
-    throw UsageError("--law", fmt::format("'{}' is neither rigid, linear, hertz or tan-sun nor a file", law_));
+  if (law != "-" && !std::filesystem::exists(law))
+    throw UsageError("--law", fmt::format("'{}' is neither rigid, linear, hertz or tan-sun nor a file", law));
   require_use({.stiffness = false, .tip = false, .permanent = false});
-  return ContactLaw::table(read_law_table(law_));
+  return ContactLaw::table(read_law_table(law));
 }
 
 }  // namespace impulse

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace impulse {
 
@@ -22,6 +23,11 @@ class LawOptions {
  public:
   void declare(Command& command);
 
+  /// One law a contact: the law that was described, for every contact; or, where --law is given once a contact, each by itself with
+  /// its constants after colons: rigid, linear:STIFFNESS, hertz:STIFFNESS, tan-sun:STIFFNESS:BETA:INDENTATION or a FILE.
+  /// @throws as law(), and UsageError if the numbers of laws and contacts differ.
+  [[nodiscard]] std::vector<ContactLaw> laws(std::size_t contact_count) const;
+
   /// The law that was described; reads its file.
   /// @throws UsageError naming the option that is missing, of no use to this law, or wrong; InputError for the file.
   [[nodiscard]] ContactLaw law() const;
@@ -32,7 +38,9 @@ class LawOptions {
   [[nodiscard]] double stiffness(const std::string& unit) const;
   [[nodiscard]] double stiffness_of_tip() const;
 
-  std::string law_ = "rigid";
+  [[nodiscard]] std::string name() const { return laws_.empty() ? "rigid" : laws_.front(); }
+
+  std::vector<std::string> laws_;  ///< empty: rigid
   std::optional<std::string> stiffness_;  ///< its unit depends on the law
   std::optional<double> tip_radius_m_;
   std::optional<Material> tip_material_;

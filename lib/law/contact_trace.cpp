@@ -9,7 +9,7 @@ namespace {
 double crossing_s(const std::vector<double>& indentation, const UniformGrid& grid, std::size_t k, std::size_t closed) {
   const double a = indentation[k];
   const double b = indentation[k + 1];
-  if (a == b || (a < 0) == (b < 0)) return grid.time_s(closed);
+  if (a == b || a * b > 0) return grid.time_s(closed);
   return grid.time_s(k) + grid.step_s * a / (a - b);
 }
 

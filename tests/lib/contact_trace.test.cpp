@@ -1,0 +1,39 @@
+#include "lib/law/contact_trace.hpp"
+
+#include <doctest/doctest.h>
+
+using namespace impulse;
+
+TEST_CASE("contact_trace: periods of contact begin and end at the zeros of the indentation") {
+  ContactTrace trace;
+  trace.indentation_m = {0, 2, 1, -1, -1, 3, -1, -2, 1};
+  for (double x : trace.indentation_m) {
+    trace.force_N.push_back(x > 0 ? 10 * x : 0);
+    trace.in_contact.push_back(x > 0);
+  }
+  trace.running_impulse_Ns = {0, 10, 25, 28, 28, 35, 47, 47, 50};
+  const auto periods = contact_intervals(trace, {1, 9});
+  REQUIRE(periods.size() == 3);
+  CHECK(periods[0].start_s == 0);
+  CHECK(periods[0].end_s == 2.5);
+  CHECK(periods[0].peak_force_N == 20);
+  CHECK(periods[0].peak_time_s == 1);
+  CHECK(periods[0].impulse_Ns == 28);
+  CHECK(periods[1].start_s == 4.25);
+  CHECK(periods[1].end_s == 5.75);
+  CHECK(periods[1].impulse_Ns == 19);
+  CHECK(periods[2].open_ended);
+  CHECK(periods[2].end_s == 8);
+}
+
+TEST_CASE("contact_trace: a rigid contact counts from its first to its last sample in contact") {
+  ContactTrace trace;
+  trace.indentation_m = {-2, -1, 0, 0, 0, -1};
+  trace.in_contact = {false, false, true, true, true, false};
+  trace.force_N = {0, 0, 5, 5, 5, 0};
+  trace.running_impulse_Ns = {0, 0, 5, 10, 15, 15};
+  const auto periods = contact_intervals(trace, {1, 6});
+  REQUIRE(periods.size() == 1);
+  CHECK(periods[0].start_s == 2);
+  CHECK(periods[0].end_s == 4);
+}

@@ -1,0 +1,99 @@
+#include "tools/support/contacts_request.hpp"
+
+#include "lib/contract/errors.hpp"
+#include "lib/csv/csv_table.hpp"
+#include "lib/law/impact_csv.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cstdio>
+
+namespace impulse {
+namespace {
+
+/// Column velocity_m_per_s on the grid of the responses.
+std::vector<double> free_velocity(const std::optional<std::string>& path, const UniformGrid& grid) {
+  if (!path) return {};
+  const CsvTable table = read_csv(*path);
+  if (!same_grid(uniform_time(table), grid))
+    throw InputError(table.file(), 0, 0, fmt::format("has another grid than the responses ({} samples of {} s)", grid.size, grid.step_s));
+  return table.column("velocity_m_per_s");
+}
+
+/// Mean speed after the impact of a free body that received `impulse_Ns`.
+ImpactSummary overall(const ContactsSolution& solution, const UniformGrid& grid, double speed, std::optional<double> mass) {
+  ImpactSummary line;
+  std::optional<ContactInterval> first;
+  for (const ContactTrace& trace : solution.traces)
+    for (const ContactInterval& interval : contact_intervals(trace, grid)) {
+      if (interval.peak_force_N > line.peak_force_N) {
+        line.peak_force_N = interval.peak_force_N;
+        line.peak_time_s = interval.peak_time_s;
+      }
+      if (!first || interval.start_s < first->start_s) first = interval;
+    }
+  if (first) line.contact_duration_s = first->end_s - first->start_s;
+  line.energy_error = solution.energy_error;
+  line.impulse_Ns = solution.traces.front().running_impulse_Ns.back();
+  if (mass) line.rebound_speed_m_per_s = speed - line.impulse_Ns / *mass;
+  return line;
+}
+
+}  // namespace
+
+void ContactsRequest::declare(Command& command) {
+  law_.declare(command);
+  command.quantity("--gap", gaps_m_, "m", Sign::non_negative, "gap at t = 0 (default: 0); one for all contacts or one each");
+  command.quantity("--preload", preload_N_, "N", Sign::non_negative, "constant force that pressed the bodies together before t = 0");
+  command.quantity("--speed-2", speed_2_m_per_s_, "m/s", Sign::any, "of body 2, in the direction of --speed (default: 0)");
+  command.text("--free-velocity-1", free_velocity_1_, "FILE", "velocity_m_per_s of body 1's face were there no contact, beyond --speed");
+  command.text("--free-velocity-2", free_velocity_2_, "FILE", "velocity_m_per_s of the last body's face were there no contact");
+  command.flag("--recontact", recontact_, "let bodies that parted touch again");
+  command.text("--contacts", contacts_, "FILE", "write a row for every period of contact to FILE");
+}
+
+bool ContactsRequest::asked(const Command& command) const {
+  for (const char* flag : {"--law", "--gap", "--preload", "--speed-2", "--free-velocity-1", "--free-velocity-2", "--recontact", "--contacts"})
+    if (command.given(flag)) return true;
+  return false;
+}
+
+ContactsProblem ContactsRequest::problem(const std::vector<Response>& bodies, double speed_m_per_s) const {
+  const std::size_t contacts = bodies.size() == 2 ? bodies[0].contact_count : bodies.size() - 1;
+  ContactsProblem problem;
+  problem.speed_m_per_s.assign(bodies.size(), 0.0);
+  problem.speed_m_per_s[0] = speed_m_per_s;
+  problem.speed_m_per_s[1] = speed_2_m_per_s_.value_or(0);
+  problem.laws = law_.laws(contacts);
+  problem.gaps_m = gaps_m_;
+  if (gaps_m_.size() <= 1) problem.gaps_m.assign(contacts, gaps_m_.empty() ? 0.0 : gaps_m_.front());
+  problem.preload_N = preload_N_.value_or(0);
+  problem.free_velocity_first_m_per_s = free_velocity(free_velocity_1_, bodies[0].grid);
+  problem.free_velocity_last_m_per_s = free_velocity(free_velocity_2_, bodies[0].grid);
+  problem.recontact = recontact_ ? Recontact::yes : Recontact::no;
+  return problem;
+}
+
+void ContactsRequest::run(const std::vector<Response>& bodies, double speed_m_per_s, std::optional<double> first_mass_kg,
+                          std::optional<double> last_mass_kg, bool summary, const std::string& output) const {
+  const ContactsSolution solution = solve_contacts(bodies, problem(bodies, speed_m_per_s));
+  const UniformGrid& grid = bodies[0].grid;
+  if (solution.in_contact_at_end)
+    fmt::print(stderr, "ir-impact: the responses end during contact, after {:g} s; compute them with a longer --duration\n", grid.duration_s());
+  if (contacts_) write_intervals(*contacts_, grid, solution.traces);
+  if (!summary) {
+    write_traces(output, grid, solution.traces);
+    return;
+  }
+  const ImpactSummary line = overall(solution, grid, speed_m_per_s, first_mass_kg);
+  std::size_t count = 0;
+  for (const ContactTrace& trace : solution.traces) count += contact_intervals(trace, grid).size();
+  std::optional<double> restitution;
+  const double closing = speed_m_per_s - speed_2_m_per_s_.value_or(0);
+  if (first_mass_kg && last_mass_kg && bodies.size() == 2 && closing != 0)
+    restitution = line.impulse_Ns * (1 / *first_mass_kg + 1 / *last_mass_kg) / closing - 1;
+  write_summary(output, line, count, restitution);
+}
+
+}  // namespace impulse
