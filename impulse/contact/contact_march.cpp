@@ -68,8 +68,10 @@ class Contact {
     record();
   }
 
-  /// Mean force over the step in which the bodies would approach to `free` without a force of this contact's own.
-  [[nodiscard]] double force_for(double free) const {
+  /// Mean force over the step in which the bodies would approach to `free` without a force of this contact's own. The last call before accept
+  /// counts.
+  [[nodiscard]] double force_for(double free) {
+    proposed_end_ = free;
     if (finished_) return 0;
     if (interface_.is_rigid()) {
       // Faces that fly together touch by rounding only; that is no contact.
@@ -78,8 +80,8 @@ class Contact {
     }
     const double opens_at = interface_.law().permanent_indentation(history_);
     if (free <= opens_at && indentation_ <= opens_at) return 0;
-    const double end = end_indentation(free, opens_at);
-    return interface_.mean_force(history_, indentation_, end);
+    proposed_end_ = end_indentation(free, opens_at);
+    return interface_.mean_force(history_, indentation_, proposed_end_);
   }
 
   void accept(double force, double free) {
@@ -90,12 +92,9 @@ class Contact {
       // cost force times gap at closing and grow with every bounce.
       if (force > 0 || approach_ > 0 || std::abs(approach_) < 1e-9 * std::abs(approach_ - before)) approach_ = 0;
       indentation_ = approach_;
-    } else if (finished_) {
-      indentation_ = approach_;
     } else {
-      const double opens_at = interface_.law().permanent_indentation(history_);
-      indentation_ = free <= opens_at && indentation_ <= opens_at ? free : end_indentation(free, opens_at);
-      history_ = interface_.law().advanced(history_, indentation_);
+      indentation_ = proposed_end_;
+      if (!finished_) history_ = interface_.law().advanced(history_, indentation_);
     }
     touched_ = touched_ || force > 0;
     open_steps_ = force > 0 ? 0 : open_steps_ + 1;
@@ -172,6 +171,7 @@ class Contact {
   double compliance_;   ///< Δt w_ii,0
   double approach_ = 0;
   double indentation_;  ///< of the law
+  double proposed_end_ = 0;
   LawHistory history_;
   bool touched_ = false;
   bool finished_ = false;
