@@ -10,6 +10,9 @@
 namespace impulse {
 namespace {
 
+/// Central differences on a million elements take 10^12 element steps for one passage of the wave.
+constexpr double most_elements = 1e6;
+
 /// Element `index` of `count` equal lengths of a segment.
 Segment element_of(const Segment& segment, std::size_t index, std::size_t count) {
   const double n = static_cast<double>(count);
@@ -50,6 +53,8 @@ BarMesh bar_mesh_by_count(const Bar& bar, std::size_t total_elements, MassMatrix
   const std::size_t segment_count = bar.profile.size();
   require(total_elements >= segment_count, "{} elements do not mesh {} segments (each needs one)", total_elements,
           segment_count);
+  require(static_cast<double>(total_elements) <= most_elements, "{} elements are more than a bar takes ({:g}); use fewer",
+          total_elements, most_elements);
   BarMesh mesh{std::vector<std::size_t>(segment_count, 1), mass};
   const auto element_time = [&](std::size_t i) {
     return bar.profile[i].travel_time_s() / static_cast<double>(mesh.elements[i]);
@@ -76,7 +81,8 @@ BarMesh bar_mesh_by_step(const Bar& bar, double step_s, MassMatrix mass) {
             "{:.4g} us or less",
             step_s * 1e6, i + 1, longest * 1e6, std::floor(longest * 1e8) / 100);
     const double ratio = segment.travel_time_s() / forgiving_step;
-    require(ratio < 1e8, "step {} s makes {:.3g} elements in segment {}; use a longer step", step_s, ratio, i + 1);
+    require(ratio < most_elements, "step {:.6g} s makes {:.3g} elements in segment {} (more than {:g}); use a longer step",
+            step_s, ratio, i + 1, most_elements);
     std::size_t count = std::max<std::size_t>(1, static_cast<std::size_t>(ratio));
     // A taper's fastest element is a little faster than c/h, so the last of the ⌊τ/step⌋ elements may be one too many.
     while (count > 1 && stable_step_s(segment, count) < forgiving_step) --count;

@@ -117,6 +117,10 @@ ModalModel exact_bar_modes(const Bar& bar, const ModeRange& range) {
   const Ends ends = ends_of(bar);
   require(std::isfinite(range.highest_frequency_Hz) || range.count < std::numeric_limits<std::size_t>::max(),
           "a bar has infinitely many modes; give a highest frequency or a count");
+  const double expected_count =
+      std::min(2 * travel_time_s(bar.profile) * range.highest_frequency_Hz, static_cast<double>(range.count));
+  require(expected_count <= 1e7, "{:.3g} modes are more than can be had (1e7); ask for fewer, or use a longer step",
+          expected_count);
   const Walk walk(bar, ends);
   const double spacing = M_PI / travel_time_s(bar.profile);
   const bool free = !ends.a_fixed && !ends.b_fixed;

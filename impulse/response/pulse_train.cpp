@@ -86,7 +86,9 @@ class Tracer {
       const WavePiece& b = line.pieces[i + 1];
       joints_.push_back(joint(a.impedance_right, a.taper_right, b.impedance_left, b.taper_left, inverse_s));
     }
-    for (const WavePiece& piece : line.pieces) travel_.push_back(std::llround(piece.travel_time_s / tick_s_));
+    // A front that takes twice the record never arrives; its ticks need not fit in an integer.
+    for (const WavePiece& piece : line.pieces)
+      travel_.push_back(std::llround(std::min(piece.travel_time_s, 2 * duration_s) / tick_s_));
   }
 
   PulseTrain trace() {

@@ -3,10 +3,12 @@
 #include "impulse/response/chain_spectrum.hpp"
 #include "impulse/response/pulse_train.hpp"
 #include "impulse/response/wave_line.hpp"
+#include "lib/contract/require.hpp"
 #include "lib/transform/real_fft.hpp"
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace impulse {
 
@@ -104,14 +106,24 @@ void add_pulses(const std::vector<Pulse>& pulses, double mu, double sign, const 
   }
 }
 
+/// The transforms and spectra take some 60 bytes a value, 8 GB at most.
+std::size_t affordable_size(std::size_t sample_count, std::size_t oversampling) {
+  const double size = static_cast<double>(sample_count) * static_cast<double>(oversampling);
+  require(size <= 0x1p27,
+          "the cone is so sharp at one end that its waves need {} values per step ({:.2g} in all); use a blunter end, a "
+          "shorter duration, or modes (--method modal)",
+          oversampling, size);
+  return fast_transform_size(sample_count * oversampling);
+}
+
 /// What the truncated series leave out of G, H = G/s and U = G/s², by the trapezoidal rule on Re s = σ (an FFT): f(t) = e^(σt)/π Re ∫ f̂ e^(iωt) dω.
 /// Period four times the record and σ = 9/duration: aliases enter by e^-27 and below, rounding grows by e^9.
 class RemainderTransform {
  public:
   RemainderTransform(const UniformGrid& grid, double mu)
       : grid_(grid),
-        oversampling_(static_cast<std::size_t>(std::ceil(std::max(1.0, 8 * mu * grid.step_s)))),
-        fft_(fast_transform_size(4 * grid.size * oversampling_)),
+        oversampling_(static_cast<std::size_t>(std::ceil(std::clamp(8 * mu * grid.step_s, 1.0, 1e15)))),
+        fft_(affordable_size(4 * grid.size, oversampling_)),
         sigma_(9 / grid.duration_s()) {}
 
   [[nodiscard]] std::size_t size() const { return fft_.spectrum_size(); }
@@ -164,21 +176,23 @@ void add_remainder(const RemainderTransform& transform, const std::vector<std::c
 /// Adds what a unit impulse on the struck end does there and, seen into the body, at the far end.
 void add_struck(const WaveLine& line, const UniformGrid& grid, PairResponse& at_struck, PairResponse* at_far) {
   const double mu = tail_rate(line, grid.duration_s());
+  // Before the pulses: it refuses what the pulses' tails would take hours for.
+  std::optional<RemainderTransform> transform;
+  if (mu > 0) transform.emplace(grid, mu);
   const PulseTrain train = pulse_train(line, grid.duration_s() + 0.5 * grid.step_s, grid.step_s, mu);
   add_pulses(train.at_struck_end, mu, 1.0, grid, at_struck);
   if (at_far != nullptr) add_pulses(train.at_far_end, mu, -1.0, grid, *at_far);
-  if (mu == 0) return;
-  const RemainderTransform transform(grid, mu);
-  std::vector<std::complex<double>> struck(transform.size());
-  std::vector<std::complex<double>> far(transform.size());
-  for (std::size_t k = 0; k < transform.size(); ++k) {
-    const auto exact = line_mobility(line, transform.s(k));
-    const auto followed = line_pulse_mobility(line, transform.s(k), mu);
+  if (!transform) return;
+  std::vector<std::complex<double>> struck(transform->size());
+  std::vector<std::complex<double>> far(transform->size());
+  for (std::size_t k = 0; k < transform->size(); ++k) {
+    const auto exact = line_mobility(line, transform->s(k));
+    const auto followed = line_pulse_mobility(line, transform->s(k), mu);
     struck[k] = exact.struck - followed.struck;
     far[k] = exact.far - followed.far;
   }
-  add_remainder(transform, struck, 1.0, at_struck);
-  if (at_far != nullptr) add_remainder(transform, far, -1.0, *at_far);
+  add_remainder(*transform, struck, 1.0, at_struck);
+  if (at_far != nullptr) add_remainder(*transform, far, -1.0, *at_far);
 }
 
 }  // namespace

@@ -77,4 +77,5 @@ TEST_CASE("bar_modes: the range ends at the highest frequency") {
 TEST_CASE("bar_modes: refuses an infinite bar and an endless range") {
   CHECK_THROWS_WITH_AS(static_cast<void>(exact_bar_modes(bars::steel_rod(1, FarEnd::infinite), {.count = 3})), doctest::Contains("infinite bar has no modes"), std::invalid_argument);
   CHECK_THROWS_WITH_AS(static_cast<void>(exact_bar_modes(bars::steel_rod(1), {})), doctest::Contains("infinitely many modes"), std::invalid_argument);
+  CHECK_THROWS_WITH_AS(static_cast<void>(exact_bar_modes(bars::steel_rod(1), {.highest_frequency_Hz = 1e15})), doctest::Contains("3.89e+11 modes"), std::invalid_argument);
 }

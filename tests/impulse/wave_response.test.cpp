@@ -173,6 +173,19 @@ TEST_CASE("pulse_train: fronts are merged, so that their number stays polynomial
   CHECK(train.at_struck_end.size() > 50);
 }
 
+TEST_CASE("wave_response: a bar whose echo comes 10^5 records later answers with 1/Z") {
+  const Bar bar = bars::steel_rod(1e5);
+  const Response response = wave_response(bar, grid_over(4e-6, 1e-6));
+  const double z = face_impedance_kg_per_s(bar.profile, Face::a);
+  for (double h : response.pair(0, 0).step_velocity_m_per_Ns) CHECK(h * z == doctest::Approx(1).epsilon(1e-14));
+}
+
+TEST_CASE("wave_response: refuses a cone too sharp to resolve") {
+  Bar bar = bars::steel_rod(1);
+  bar.profile[0].diameter_b_m = 1e-12;
+  CHECK_THROWS_WITH_AS(static_cast<void>(wave_response(bar, grid_over(2e-3, 1e-6))), doctest::Contains("use a blunter end"), std::invalid_argument);
+}
+
 TEST_CASE("wave_response: refuses what is not a bar") {
   CHECK_THROWS_WITH_AS(static_cast<void>(wave_response({{}, {Face::a}, FarEnd::free}, {1e-6, 10})), doctest::Contains("segment"), std::invalid_argument);
 }
