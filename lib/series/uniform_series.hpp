@@ -26,7 +26,7 @@ struct UniformGrid {
 
 /// The grid of round(duration/step) + 1 samples, both ends in (3e-4 s by 1e-4 s has 4). The one place where a
 /// duration becomes a number of samples.
-/// @throws std::invalid_argument unless 0 < step ≤ duration, both finite, and the sample count is below 2^31.
+/// @throws std::invalid_argument unless 0 < step ≤ duration, both finite, and there are at most 2^25 samples.
 /// Verified by: tests/lib/uniform_series.test.cpp
 [[nodiscard]] UniformGrid grid_over(double duration_s, double step_s);
 
