@@ -189,12 +189,22 @@ void require_compatible(const Response& body_1, const Response& body_2, const Im
   require(body_1.contact_count == 1 && body_2.contact_count == 1,
           "the bodies have {} and {} contacts; this equation has one each", body_1.contact_count, body_2.contact_count);
   require(same_grid(body_1.grid, body_2.grid),
-          "the responses have different grids ({} samples of {} s and {} samples of {} s); compute both with the same --step and "
+          "the responses have different grids ({} samples of {:.6g} s and {} samples of {:.6g} s); compute both with the same --step and "
           "--duration",
           body_1.grid.size, body_1.grid.step_s, body_2.grid.size, body_2.grid.step_s);
   require(body_1.grid.size >= 4, "the responses have {} samples; at least 4 are needed", body_1.grid.size);
   require(std::isfinite(impact.speed_m_per_s) && impact.speed_m_per_s > 0, "speed {} m/s is not positive (--speed)",
           impact.speed_m_per_s);
+}
+
+void require_something_elastic(const PairResponse& total) {
+  const std::vector<double>& u = total.step_displacement_m_per_N;
+  bool rigid = true;
+  for (std::size_t k = 0; k < u.size() && rigid; ++k) {
+    const double of_mass = u[1] * static_cast<double>(k) * static_cast<double>(k);
+    rigid = std::abs(u[k] - of_mass) <= 1e-9 * of_mass;
+  }
+  require(!rigid, "both bodies are rigid masses over the whole record (U = t²/2m), so that the force has no limit; one of them has to be elastic");
 }
 
 }  // namespace
@@ -212,6 +222,7 @@ ImpactHistory solve_contact(const Response& body_1, const Response& body_2, cons
   require(u1 > 0,
           "the bodies' displacement one step after a unit step force is {} m/N: a body that yields backwards is not a passive response",
           u1);
+  require_something_elastic(total);
   const bool trapezoidal = method == ContactMethod::trapezoidal;
   const auto weights_of = [&](const Response& body) {
     return trapezoidal ? trapezoidal_weights(body.pair(0, 0), grid.step_s) : product_weights(body.pair(0, 0), grid.step_s);

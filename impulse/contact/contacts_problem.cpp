@@ -87,7 +87,7 @@ class Problem {
     for (const Response& body : bodies) {
       require_valid(body);
       require(same_grid(body.grid, bodies[0].grid),
-              "the responses have different grids ({} samples of {} s and {} samples of {} s); compute all with the same --step and --duration",
+              "the responses have different grids ({} samples of {:.6g} s and {} samples of {:.6g} s); compute all with the same --step and --duration",
               bodies[0].grid.size, bodies[0].grid.step_s, body.grid.size, body.grid.step_s);
     }
     require(given.speed_m_per_s.size() == bodies.size(), "{} speeds for {} bodies", given.speed_m_per_s.size(), bodies.size());

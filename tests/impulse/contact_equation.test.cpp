@@ -257,6 +257,12 @@ TEST_CASE("contact_equation: linear in the speed, indifferent to which body is c
   CHECK(largest < 1e-9);
 }
 
+TEST_CASE("contact_equation: refuses rigid masses on each other") {
+  const UniformGrid grid = grid_over(1e-4, 1e-6);
+  CHECK_THROWS_WITH_AS((void)solve_contact(mass_response(1, grid), mass_response(2, grid), {1}, ContactMethod::product), doctest::Contains("both bodies are rigid"),
+                       std::invalid_argument);
+}
+
 TEST_CASE("contact_equation: refuses what it can't resolve and names what works") {
   const UniformGrid grid = grid_over(1e-3, 10e-6);
   const Response rod = wave_response(bars::long_rod(), grid);
