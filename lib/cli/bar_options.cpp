@@ -40,20 +40,26 @@ Bar BarOptions::bar() const {
       throw UsageError("--diameters", fmt::format("{} given, two are needed: 30mm,75mm", diameters_m_.size()));
     bar.profile = {{length_m_, diameters_m_[0], diameters_m_[1], *material_}};
   }
+  if (bar.faces.size() > 2 || (bar.faces.size() == 2 && bar.faces[0] == bar.faces[1]))
+    throw UsageError("--face", "a bar has two faces; give A, B or A,B");
+  if (bar.faces.size() == 2 && bar.far_end != FarEnd::free)
+    throw UsageError("--far-end", "a bar in contact at both faces has no far end to hold; leave it free");
   require_valid(bar);
   return bar;
 }
 
 Bar read_bar_file(const std::string& path) {
-  const std::string kind = body_kind(path);
+  const TomlFile file = read_toml(path);
+  const std::string kind = body_kind(file);
   if (kind != "bar" && kind != "cone")
-    throw InputError(path, 0, 0, fmt::format("body \"{}\" is not a bar or cone", kind));
+    throw InputError(file.name, 0, 0, fmt::format("body \"{}\" is not a bar or cone", kind));
   BarOptions options(kind == "bar" ? BarOptions::Kind::chain : BarOptions::Kind::cone);
-  read_config_file(path, [&](Command& command) { options.declare(command); });
+  read_config_file(file, [&](Command& command) { options.declare(command); });
   try {
     return options.bar();
   } catch (const std::exception& error) {
-    throw InputError(path, 0, 0, error.what());
+    const std::string_view message = error.what();
+    throw InputError(file.name, 0, 0, std::string(message.substr(message.starts_with("--") ? 2 : 0)));
   }
 }
 

@@ -18,6 +18,8 @@ class BarOptions {
 
   void declare(Command& command);
 
+  [[nodiscard]] FarEnd far_end() const { return far_end_; }
+
   /// The bar that was described. @throws std::invalid_argument (UsageError naming the option where one is at fault).
   [[nodiscard]] Bar bar() const;
 

@@ -12,6 +12,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <set>
 
 namespace impulse {
 namespace {
@@ -173,7 +174,7 @@ Command::Option& Command::flag(const std::string& flag, bool& value, const std::
 void Command::files(const std::string& metavar, std::vector<std::string>& values, std::size_t least, std::size_t most,
                     const std::string& help) {
   std::string shown = metavar;
-  if (most > 1 && shown.find("...") == shown.npos) shown += "...";
+  if (most > least && most > 1 && shown.find("...") == shown.npos) shown += "...";
   if (least == 0) shown = "[" + shown + "]";
   parser_->files = parser_->app.add_option("files", CLI::callback_t{}, wrapped(help, 70));
   parser_->files->type_name(shown)->expected(1, -1)->allow_extra_args()->multi_option_policy(
@@ -185,9 +186,13 @@ void Command::files(const std::string& metavar, std::vector<std::string>& values
 }
 
 Command::Option& Command::output(std::string& path) {
-  Option& option = text("-o,--output", path, "FILE", "write the result to FILE (default: standard output)");
-  option.default_text.clear();
-  return option;
+  return parsed<std::string>(
+      "-o,--output", path,
+      [](const std::string& text) {
+        require(!text.empty(), "the name of the file is empty");
+        return text;
+      },
+      "FILE", "write the result to FILE (default: standard output)");
 }
 
 void Command::body(const std::string& kind) { body_ = kind; }
@@ -215,11 +220,13 @@ std::string Command::help_text() const {
 
 namespace {
 
-/// CLI11 would take the next argument as the value of `--title=`.
-void refuse_empty_values(int argc, const char* const* argv) {
+/// CLI11 would take the next argument as the value of `--title=`, and the next option as that of `--title --step`.
+void refuse_missing_values(int argc, const char* const* argv, const std::set<std::string>& valued) {
   for (int i = 1; i < argc; ++i) {
     const std::string argument = argv[i];
     if (argument == "--") return;
+    if (i + 1 < argc && valued.contains(argument) && std::string_view(argv[i + 1]).starts_with("--"))
+      throw UsageError(argument, "needs a value");
     if (argument.starts_with("--") && argument.find('=') == argument.size() - 1)
       throw UsageError(argument.substr(0, argument.size() - 1), "needs a value");
   }
@@ -237,7 +244,10 @@ void refuse_extras(const std::vector<std::string>& extras) {
 }  // namespace
 
 bool Command::parse(int argc, const char* const* argv) {
-  refuse_empty_values(argc, argv);
+  std::set<std::string> valued{"--config"};
+  for (const Option& option : options_)
+    if (!option.metavar.empty()) valued.insert(option.flag);
+  refuse_missing_values(argc, argv, valued);
   try {
     parser_->app.parse(argc, argv);
   } catch (const CLI::CallForHelp&) {
@@ -255,7 +265,9 @@ bool Command::parse(int argc, const char* const* argv) {
   refuse_extras(parser_->app.remaining());
   apply_command_line();
   if (parser_->config->count() > 1) throw UsageError("--config", "given twice");
-  if (parser_->config->count() == 1) apply_config(parser_->config->results().front());
+  if (parser_->config->count() == 1 && parser_->config->results().front().empty())
+    throw UsageError("--config", "the name of the file is empty");
+  if (parser_->config->count() == 1) apply_config(read_toml(parser_->config->results().front()));
   for (const Option& option : options_)
     if (option.is_required && !option.given) throw UsageError(option.flag, "required, but not given");
   return true;
@@ -277,11 +289,25 @@ void Command::apply_command_line() {
   if (!parser_->files) return;
   const std::vector<std::string>& values = parser_->files->results();
   require(values.size() >= parser_->least_files, "needs {}{} (see --help)", parser_->file_metavar,
-          parser_->least_files > 1 ? fmt::format(", at least {}", parser_->least_files) : "");
+          parser_->least_files > 1 && parser_->least_files < parser_->most_files
+              ? fmt::format(", at least {}", parser_->least_files)
+              : "");
   if (values.size() > parser_->most_files)
     throw std::invalid_argument(fmt::format("unexpected argument '{}'", values[parser_->most_files]));
   require(std::count(values.begin(), values.end(), "-") <= 1, "standard input ('-') can be read only once");
   *parser_->file_values = values.empty() ? std::vector<std::string>{"-"} : values;
+}
+
+/// The value of an array that is refused by itself, else the first.
+std::size_t Command::first_refused(const Option& option, const Values& texts) {
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    try {
+      option.assign({texts[i]});
+    } catch (const std::invalid_argument&) {
+      return i;
+    }
+  }
+  return 0;
 }
 
 void Command::apply_config_body(const std::string& path, const TomlEntry& entry) {
@@ -294,9 +320,10 @@ void Command::apply_config_body(const std::string& path, const TomlEntry& entry)
   throw InputError(path, value.line, value.column, fmt::format("is {}, {}", with_article(value.text), wish));
 }
 
-void Command::apply_config(const std::string& path) {
+void Command::apply_config(const TomlFile& file) {
   using Toml = Option::Toml;
-  for (const TomlEntry& entry : read_toml_entries(path)) {
+  const std::string& path = file.name;
+  for (const TomlEntry& entry : file.entries) {
     if (entry.key == "body" && !body_.empty()) {
       apply_config_body(path, entry);
       continue;
@@ -328,17 +355,18 @@ void Command::apply_config(const std::string& path) {
     try {
       found->assign(texts);
     } catch (const std::invalid_argument& error) {
-      fail(entry.values.front().line, entry.values.front().column, error.what());
+      const TomlValue& wrong = entry.values[first_refused(*found, texts)];
+      fail(wrong.line, wrong.column, error.what());
     }
     found->given = found->toml != Toml::flag || texts.front() == "true";
   }
 }
 
-void Command::read_config(const std::string& path) {
-  apply_config(path);
+void Command::read_config(const TomlFile& file) {
+  apply_config(file);
   for (const Option& option : options_)
     if (option.is_required && !option.given)
-      throw InputError(path, 0, 0, fmt::format("needs the key '{}'", option.flag.substr(2)));
+      throw InputError(file.name, 0, 0, fmt::format("needs the key '{}'", option.flag.substr(2)));
 }
 
 std::vector<std::string> Command::split_at_commas(const Values& texts) {
@@ -360,9 +388,13 @@ void Command::refuse_choice(const std::string& text, const std::vector<std::stri
 }
 
 void read_config_file(const std::string& path, const std::function<void(Command&)>& declare) {
+  read_config_file(read_toml(path), declare);
+}
+
+void read_config_file(const TomlFile& file, const std::function<void(Command&)>& declare) {
   Command command(ToolPage{});
   declare(command);
-  command.read_config(path);
+  command.read_config(file);
 }
 
 }  // namespace impulse

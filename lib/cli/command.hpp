@@ -159,7 +159,7 @@ class Command {
   [[nodiscard]] bool parse(int argc, const char* const* argv);
 
   /// Reads the configuration file alone. @throws InputError, also if something required is missing.
-  void read_config(const std::string& path);
+  void read_config(const struct TomlFile& file);
 
  private:
   using Values = std::vector<std::string>;
@@ -169,9 +169,10 @@ class Command {
               std::function<void(const Values&)> assign);
   void set_default(Option& option, const std::string& text) { option.default_text = text; }
   void apply_command_line();
-  void apply_config(const std::string& path);
+  void apply_config(const struct TomlFile& file);
   void apply_config_body(const std::string& path, const struct TomlEntry& entry);
 
+  static std::size_t first_refused(const Option& option, const Values& texts);
   static std::vector<std::string> split_at_commas(const Values& texts);
   [[noreturn]] static void refuse_choice(const std::string& text, const std::vector<std::string>& names);
 
@@ -202,5 +203,6 @@ class Command {
 /// Reads a body file as the options that `declare` declares, without a command line.
 /// @throws InputError for what is wrong or missing in the file.
 void read_config_file(const std::string& path, const std::function<void(Command&)>& declare);
+void read_config_file(const struct TomlFile& file, const std::function<void(Command&)>& declare);
 
 }  // namespace impulse

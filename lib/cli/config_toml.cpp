@@ -31,15 +31,16 @@ TomlValue toml_value(const toml::node& node) {
 
 }  // namespace
 
-std::vector<TomlEntry> read_toml_entries(const std::string& path) {
+TomlFile read_toml(const std::string& path) {
   const std::string text = read_text(path);
+  TomlFile file{path == "-" ? "stdin" : path, {}};
   toml::table table;
   try {
-    table = toml::parse(text, path);
+    table = toml::parse(text, file.name);
   } catch (const toml::parse_error& error) {
-    throw InputError(path, error.source().begin.line, error.source().begin.column, std::string(error.description()));
+    throw InputError(file.name, error.source().begin.line, error.source().begin.column, std::string(error.description()));
   }
-  std::vector<TomlEntry> entries;
+  std::vector<TomlEntry>& entries = file.entries;
   for (const auto& [key, node] : table) {
     TomlEntry entry{std::string(key.str()), key.source().begin.line, key.source().begin.column, node.is_array(), {}};
     if (const toml::array* array = node.as_array()) {
@@ -52,17 +53,17 @@ std::vector<TomlEntry> read_toml_entries(const std::string& path) {
   std::sort(entries.begin(), entries.end(), [](const TomlEntry& a, const TomlEntry& b) {
     return std::pair(a.line, a.column) < std::pair(b.line, b.column);
   });
-  return entries;
+  return file;
 }
 
-std::string body_kind(const std::string& path) {
-  for (const TomlEntry& entry : read_toml_entries(path)) {
+std::string body_kind(const TomlFile& file) {
+  for (const TomlEntry& entry : file.entries) {
     if (entry.key != "body") continue;
     if (entry.is_array || entry.values[0].type != TomlType::text)
-      throw InputError(path, entry.line, entry.column, "body: expected a string such as \"cone\"");
+      throw InputError(file.name, entry.line, entry.column, "body: expected a string such as \"cone\"");
     return entry.values[0].text;
   }
-  throw InputError(path, 0, 0, "no key 'body' (a body file says what it is, such as body = \"cone\")");
+  throw InputError(file.name, 0, 0, "no key 'body' (a body file says what it is, such as body = \"cone\")");
 }
 
 }  // namespace impulse

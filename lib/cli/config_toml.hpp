@@ -26,13 +26,19 @@ struct TomlEntry {
   std::vector<TomlValue> values;
 };
 
-/// Reads a TOML file as its top-level entries, in the order of the file.
+/// A TOML file as its top-level entries, in the order of the file.
+struct TomlFile {
+  std::string name;  ///< for messages: the path, or `stdin`
+  std::vector<TomlEntry> entries;
+};
+
+/// Reads a TOML file once, front to back, so that it may be a pipe; `-` is stdin.
 /// @throws InputError if it cannot be read, with file:line:column at a syntax error.
 /// Verified by: tests/lib/command.test.cpp
-[[nodiscard]] std::vector<TomlEntry> read_toml_entries(const std::string& path);
+[[nodiscard]] TomlFile read_toml(const std::string& path);
 
 /// The key `body` of a body file: `cone`, `beam`, ...
 /// @throws InputError if there is none or it is not a string.
-[[nodiscard]] std::string body_kind(const std::string& path);
+[[nodiscard]] std::string body_kind(const TomlFile& file);
 
 }  // namespace impulse

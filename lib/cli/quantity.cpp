@@ -91,6 +91,8 @@ std::optional<Fraction> three_halves_fraction(const std::string& unit) {
 }
 
 double suffix_factor(std::string_view text, const std::string& suffix, const std::string& unit) {
+  if (suffix.size() > 1 && suffix[0] == ',' && std::isdigit(static_cast<unsigned char>(suffix[1])))
+    refuse(text, "the decimal sign is a point", unit);
   if (unit == "1" || unit.empty()) refuse(text, fmt::format("unexpected '{}' after the number", suffix), unit);
   const std::optional<Fraction> wanted = three_halves_fraction(unit);
   const std::optional<Fraction> given = three_halves_fraction(suffix);

@@ -14,6 +14,7 @@ namespace impulse {
 InputFile::InputFile(const std::string& path)
     : name_(path == "-" ? "stdin" : path),
       descriptor_(path == "-" ? STDIN_FILENO : ::open(path.c_str(), O_RDONLY | O_CLOEXEC)) {
+  if (path.empty()) throw InputError("''", 0, 0, "the name of the file is empty");
   if (descriptor_ < 0) throw InputError(name_, 0, 0, std::strerror(errno));
 }
 

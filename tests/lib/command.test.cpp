@@ -134,6 +134,8 @@ TEST_CASE("command: refusals name the flag") {
   CHECK(refusal({}) == "--speed: required, but not given");
   CHECK(refusal({"--speed", "5kg"}) == "--speed: '5kg': wrong dimension: expected a speed such as 5m/s");
   CHECK(refusal({"--speed"}) == "--speed: needs a value");
+  CHECK(refusal({"--speed", "--gap", "1"}) == "--speed: needs a value");
+  CHECK(refusal({"--speed", "1", "-o", ""}) == "--output: the name of the file is empty");
   CHECK(refusal({"--speed="}) == "--speed: needs a value");
   CHECK(refusal({"--speed", "1", "--speed", "2"}) == "--speed: given twice");
   CHECK(refusal({"--speed", "1", "--thin", "--thin"}) == "--thin: given twice");
@@ -163,6 +165,9 @@ TEST_CASE("command: positional files") {
   const char* arguments[] = {"ir-test", "a"};
   CHECK_THROWS_WITH_AS((void)command.parse(2, arguments), "needs RESPONSE..., at least 2 (see --help)",
                        std::invalid_argument);
+  Command pair(page);
+  pair.files("FIRST SECOND", files, 2, 2, "responses");
+  CHECK_THROWS_WITH_AS((void)pair.parse(2, arguments), "needs FIRST SECOND (see --help)", std::invalid_argument);
 }
 
 TEST_CASE("command: help shows usage, units, defaults and ends with the example") {
@@ -213,6 +218,7 @@ TEST_CASE("command: refusals of TOML name file, line, column and key") {
   CHECK(config_refusal("gap = [1, 2]\n") == "p.toml:1:1: gap: takes one value, not an array");
   CHECK(config_refusal("note = []\n") == "p.toml:1:1: note: the array is empty");
   CHECK(config_refusal("note = [\"a\", 2]\n") == "p.toml:1:14: note: expected a string, not an integer");
+  CHECK(config_refusal("note = [\"a\",\n \"b\"]\nsegment = [\"1m,1mm,steel\",\n  \"1m,1mm,stel\"]\n").starts_with("p.toml:4:3: segment: unknown material"));
   CHECK(config_refusal("repeat = 1.5\n") == "p.toml:1:10: repeat: expected a whole number, not a number");
   CHECK(config_refusal("thin = \"yes\"\n") == "p.toml:1:8: thin: expected true or false, not a string");
   CHECK(config_refusal("title = 5\n") == "p.toml:1:9: title: expected a string, not an integer");
@@ -223,6 +229,7 @@ TEST_CASE("command: refusals of TOML name file, line, column and key") {
   CHECK(config_refusal("body = 1\n") == "p.toml:1:1: body: expected a string such as \"cone\"");
   CHECK(refusal({"--speed", "1", "--config", "/nowhere/p.toml"}) == "/nowhere/p.toml: No such file or directory");
   CHECK(refusal({"--config", "a", "--config", "b"}) == "--config: given twice");
+  CHECK(refusal({"--config", ""}) == "--config: the name of the file is empty");
 }
 
 TEST_CASE("command: what the command line overrides must still be of the right type") {
@@ -254,9 +261,9 @@ TEST_CASE("read_config_file reads a body without a command line") {
 
 TEST_CASE("body_kind tells what a body file describes") {
   const TemporaryDirectory directory;
-  CHECK(body_kind(directory.write("p.toml", "length = 1\nbody = \"beam\"\n")) == "beam");
-  CHECK_THROWS_WITH_AS((void)body_kind(directory.write("p.toml", "length = 1\n")),
+  CHECK(body_kind(read_toml(directory.write("p.toml", "length = 1\nbody = \"beam\"\n"))) == "beam");
+  CHECK_THROWS_WITH_AS((void)body_kind(read_toml(directory.write("p.toml", "length = 1\n"))),
                        doctest::Contains("p.toml: no key 'body'"), InputError);
-  CHECK_THROWS_WITH_AS((void)body_kind(directory.write("p.toml", "body = 3\n")), doctest::Contains("p.toml:1:1: body:"),
+  CHECK_THROWS_WITH_AS((void)body_kind(read_toml(directory.write("p.toml", "body = 3\n"))), doctest::Contains("p.toml:1:1: body:"),
                        InputError);
 }

@@ -75,6 +75,7 @@ TEST_CASE("parse_quantity refuses by saying the text, the expectation and an exa
   CHECK_THROWS_WITH((void)parse_quantity("5furlongz", "m"),
                     "'5furlongz': unknown unit 'furlongz': expected a length such as 400mm");
   CHECK_THROWS_WITH((void)parse_quantity("abc", "m"), "'abc': not a number: expected a length such as 400mm");
+  CHECK_THROWS_WITH((void)parse_quantity("1,5mm", "m"), doctest::Contains("'1,5mm': the decimal sign is a point"));
   CHECK_THROWS_WITH((void)parse_quantity("", "m"), "'': empty: expected a length such as 400mm");
   CHECK_THROWS_WITH((void)parse_quantity("1e999", "m"),
                     "'1e999': too large for a number: expected a length such as 400mm");
