@@ -2,6 +2,7 @@
 #include "fem/explicit/explicit_impact.hpp"
 #include "lib/cli/bar_options.hpp"
 #include "lib/cli/run_tool.hpp"
+#include "lib/contract/errors.hpp"
 #include "lib/law/impact_csv.hpp"
 
 #include <fmt/format.h>
@@ -40,17 +41,30 @@ struct Request {
   }
 };
 
-Structure discretised(const Bar& bar, std::optional<std::size_t> elements, double step_s) {
-  return bar_structure(bar, elements ? bar_mesh_by_count(bar, *elements) : bar_mesh_by_step(bar, step_s));
+Bar read_struck_bar(const std::string& path) {
+  Bar bar = read_bar_file(path);
+  if (bar.faces.size() != 1) throw InputError(path, 0, 0, "face: a body of an impact has one face in contact, A or B");
+  return bar;
+}
+
+Structure discretised(const Bar& bar, const char* role, std::optional<std::size_t> elements, double step_s) {
+  try {
+    return bar_structure(bar, elements ? bar_mesh_by_count(bar, *elements) : bar_mesh_by_step(bar, step_s));
+  } catch (const std::invalid_argument& error) {
+    throw std::invalid_argument(fmt::format("{}: {}", role, error.what()));
+  }
 }
 
 int run(const Request& request) {
-  const Bar projectile = read_bar_file(request.projectile);
-  const Bar target = read_bar_file(request.target);
+  if (request.projectile == "-" && request.target == "-")
+    throw UsageError("--target", "standard input ('-') can be read only once");
+  const Bar projectile = read_struck_bar(request.projectile);
+  const Bar target = read_struck_bar(request.target);
+  (void)grid_over(request.impact.duration_s, request.impact.step_s);  // refuses too many samples before they cost time
   const double projectile_step = request.impact.step_s / static_cast<double>(request.impact.projectile_subcycles);
   const ExplicitImpactResult result =
-      explicit_impact(discretised(projectile, request.projectile_elements, projectile_step),
-                      discretised(target, request.target_elements, request.impact.step_s), request.impact);
+      explicit_impact(discretised(projectile, "projectile", request.projectile_elements, projectile_step),
+                      discretised(target, "target", request.target_elements, request.impact.step_s), request.impact);
   if (!result.history.separated)
     fmt::print(stderr, "fe-impact: the record ends during contact, after {:g} s; use a longer --duration\n",
                result.history.grid.duration_s());

@@ -54,6 +54,7 @@ Eigen::MatrixXd constants(const CsvTable& table, const char* stem, const char* u
 }
 
 void read_pair(const CsvTable& table, DiracParts dirac, const PairNames& names, const UniformGrid& grid, PairResponse& pair) {
+  (void)table.field(names.g);
   const bool complete = table.has(names.h) && table.has(names.u);
   if (!complete && dirac == DiracParts::as_columns_say) {
     const std::string& missing = table.has(names.h) ? names.u : names.h;

@@ -9,6 +9,10 @@
 #include "lib/cli/run_tool.hpp"
 #include "lib/contract/errors.hpp"
 
+#include <fmt/format.h>
+
+#include <numeric>
+
 namespace impulse {
 namespace {
 
@@ -62,6 +66,10 @@ struct Request {
     if (modal && modes_from == ModesFrom::fe && !elements) throw UsageError("--elements", "is required with --modes-from fe");
     if (frequencies == FeFrequencies::corrected && mass_matrix != MassMatrix::lumped)
       throw UsageError("--fe-frequencies", "the correction is that of the lumped mass matrix");
+    if (modal && body.far_end() == FarEnd::infinite)
+      throw UsageError("--far-end", "an infinite bar has no modes; use its travelling waves (--method wave)");
+    if (as == Output::modes && step_s && modes)
+      throw UsageError("--step", "sets the number of modes, which --modes gives; leave one of them out");
     if (as == Output::response && !step_s) throw UsageError("--step", "is required for a response");
     if (as == Output::response && !duration_s) throw UsageError("--duration", "is required for a response");
     if (as == Output::modes && !step_s && !modes) throw UsageError("--modes", "is required with --as modes (or --step, for the modes up to its Nyquist frequency)");
@@ -73,9 +81,17 @@ struct Request {
   }
   [[nodiscard]] std::size_t mode_count() const { return modes.value_or(std::numeric_limits<std::size_t>::max()); }
 
+  void require_modes_in(const Bar& bar, const BarMesh& mesh) const {
+    const std::size_t held = bar.faces.size() == 1 && bar.far_end == FarEnd::fixed ? 1 : 0;
+    const std::size_t count = std::accumulate(mesh.elements.begin(), mesh.elements.end(), std::size_t{1}) - held;
+    if (modes && *modes > count)
+      throw UsageError("--modes", fmt::format("{} modes are asked for, but {} elements have only {}; use more --elements", *modes, *elements, count));
+  }
+
   [[nodiscard]] ModalModel modal_body(const Bar& bar) const {
     if (modes_from == ModesFrom::exact) return exact_bar_modes(bar, {highest_frequency_Hz(), mode_count()});
     const BarMesh mesh = bar_mesh_by_count(bar, *elements, mass_matrix);
+    require_modes_in(bar, mesh);
     const ModalModel plain = modal_model(bar_structure(bar, mesh), {.mode_count = mode_count(), .highest_frequency_Hz = highest_frequency_Hz()});
     return frequencies == FeFrequencies::plain ? plain : dispersion_corrected(plain, bar, mesh, highest_frequency_Hz());
   }

@@ -20,6 +20,10 @@ PublishedCase read_published_case(const std::string& folder, const std::string& 
     if (method != "impulse-response" && method != "finite-elements")
       throw InputError(table.file(), table.line(row), table.field("method"),
                        fmt::format("method \"{}\" is neither impulse-response nor finite-elements", method));
+    for (const char* column : {"step_s", "cpu_s"})
+      if (table.column(column)[row] <= 0)
+        throw InputError(table.file(), table.line(row), table.field(column),
+                         fmt::format("{} {} is not positive", column, table.column(column)[row]));
     result.runs.push_back({method, table.column("step_s")[row], table.column("cpu_s")[row]});
   }
   return result;
