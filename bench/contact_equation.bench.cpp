@@ -1,4 +1,5 @@
-// The contact equation against its limit: one FFTW real transform of twice the length, planned the same way, in the same run.
+// The contact equation against its limit: one FFTW real transform of twice the length, planned the same way, in the
+// same run.
 #include "impulse/contact/contact_equation.hpp"
 #include "impulse/contact/toeplitz_solvers.hpp"
 #include "impulse/exact/bar_modes.hpp"

@@ -1,9 +1,10 @@
-// Marching with a contact law: against direct O(N²) marching (vectorised history sums), and in units of one real transform of twice the length.
+// Marching with a contact law: against direct O(N²) marching (vectorised history sums), and in units of one real
+// transform of twice the length.
 #include "impulse/contact/contact_march.hpp"
 #include "lib/transform/real_fft.hpp"
 
-#include <Eigen/Dense>
 #include <benchmark/benchmark.h>
+#include <Eigen/Dense>
 
 #include <chrono>
 #include <cmath>

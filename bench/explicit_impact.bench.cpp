@@ -1,6 +1,6 @@
 // Explicit finite elements: cost per element and step, by both matchings.
-#include "fem/bodies/bar_structure.hpp"
 #include "fem/explicit/explicit_impact.hpp"
+#include "fem/bodies/bar_structure.hpp"
 
 #include <benchmark/benchmark.h>
 
@@ -25,7 +25,8 @@ void explicit_stepping(benchmark::State& state, Matching matching) {
   for (auto _ : state) trials += static_cast<double>(explicit_impact(projectile, target, impact).trial_count);
   const double elements = static_cast<double>(cone_mesh.elements[0] + rod_mesh.elements[0]);
   state.counters["trials"] = trials / static_cast<double>(state.iterations());
-  state.counters["per_element_and_trial"] = benchmark::Counter(trials * elements, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
+  state.counters["per_element_and_trial"] =
+      benchmark::Counter(trials * elements, benchmark::Counter::kIsRate | benchmark::Counter::kInvert);
 }
 BENCHMARK_CAPTURE(explicit_stepping, direct, Matching::direct)->Arg(1)->Arg(4)->Unit(benchmark::kMillisecond);
 BENCHMARK_CAPTURE(explicit_stepping, bisection, Matching::bisection)->Arg(1)->Unit(benchmark::kMillisecond);

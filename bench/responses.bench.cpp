@@ -18,12 +18,14 @@ void modal_sum(benchmark::State& state) {
   const ModalModel model = exact_bar_modes(rod(), {.count = modes});
   for (auto _ : state) benchmark::DoNotOptimize(modal_response(model, grid));
   state.counters["per_sample_and_mode"] =
-      benchmark::Counter(static_cast<double>(grid.size) * static_cast<double>(modes), benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+      benchmark::Counter(static_cast<double>(grid.size) * static_cast<double>(modes),
+                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(modal_sum)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
 
 void exact_modes(benchmark::State& state) {
-  for (auto _ : state) benchmark::DoNotOptimize(exact_bar_modes(cone(), {.count = static_cast<std::size_t>(state.range(0))}));
+  for (auto _ : state)
+    benchmark::DoNotOptimize(exact_bar_modes(cone(), {.count = static_cast<std::size_t>(state.range(0))}));
 }
 BENCHMARK(exact_modes)->Arg(100)->Arg(1000)->Arg(10000)->Unit(benchmark::kMillisecond);
 

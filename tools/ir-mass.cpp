@@ -13,7 +13,8 @@ int main(int argc, char** argv) {
   command.body("mass");
   command.quantity("--mass", mass_kg, "kg", Sign::positive, "mass").required();
   command.quantity("--step", step_s, "s", Sign::positive, "time step of the response").required();
-  command.quantity("--duration", duration_s, "s", Sign::positive, "duration; round(duration/step) + 1 samples").required();
+  command.quantity("--duration", duration_s, "s", Sign::positive, "duration; round(duration/step) + 1 samples")
+      .required();
   command.output(output);
   return run_tool(argc, argv, command, [&] {
     write_response(output, mass_response(mass_kg, grid_over(duration_s, step_s)));

@@ -16,19 +16,21 @@ namespace {
 
 using namespace impulse;
 
-constexpr double duration_s = 1e-3;         // every contact of the four cases ends before
+constexpr double duration_s = 1e-3;  // every contact of the four cases ends before
 constexpr double reference_step_s = 0.1e-6;
 
 /// Exact modes up to the Nyquist frequency of the step and the trapezoidal rule: the published method.
 ImpactHistory by_impulse_response(const PublishedCase& c, double step_s) {
   const UniformGrid grid = grid_over(duration_s, step_s);
   const ModeRange range{.highest_frequency_Hz = (0.5 + 1e-9) / step_s};
-  return solve_contact(modal_response(exact_bar_modes(c.projectile, range), grid), modal_response(exact_bar_modes(c.target, range), grid),
-                       {c.speed_m_per_s}, ContactMethod::trapezoidal);
+  return solve_contact(modal_response(exact_bar_modes(c.projectile, range), grid),
+                       modal_response(exact_bar_modes(c.target, range), grid), {c.speed_m_per_s},
+                       ContactMethod::trapezoidal);
 }
 
 ImpactHistory by_finite_elements(const PublishedCase& c, double step_s, std::size_t subcycles, ImpactStart start) {
-  const Structure projectile = bar_structure(c.projectile, bar_mesh_by_step(c.projectile, step_s / static_cast<double>(subcycles)));
+  const Structure projectile =
+      bar_structure(c.projectile, bar_mesh_by_step(c.projectile, step_s / static_cast<double>(subcycles)));
   const Structure target = bar_structure(c.target, bar_mesh_by_step(c.target, step_s));
   return explicit_impact(projectile, target,
                          {.speed_m_per_s = c.speed_m_per_s,
@@ -43,7 +45,9 @@ ImpactHistory by_finite_elements(const PublishedCase& c, double step_s, std::siz
 /// Travelling waves at a step a hundred times finer: what both methods approximate.
 UniformSeries reference_force(const PublishedCase& c) {
   const UniformGrid grid = grid_over(duration_s, reference_step_s);
-  return {grid, solve_contact(wave_response(c.projectile, grid), wave_response(c.target, grid), {c.speed_m_per_s}, ContactMethod::product).force_N};
+  return {grid, solve_contact(wave_response(c.projectile, grid), wave_response(c.target, grid), {c.speed_m_per_s},
+                              ContactMethod::product)
+                    .force_N};
 }
 
 struct Request {
@@ -57,9 +61,10 @@ struct Request {
     command.text("--experiments", experiments, "DIR", "folder of the cases tca, tcb, cca, ccb");
     command.count("--repeat", repeat, 1, "runs of each; the shortest counts");
     command.count("--subcycles", subcycles, 1, "finite elements: steps of the projectile within one of the target");
-    command.choice<ImpactStart>("--start", start,
-                                {{"impedance", ImpactStart::wave_admittance}, {"held", ImpactStart::held}, {"zero", ImpactStart::zero}},
-                                "finite elements: first force, as in fe-impact");
+    command.choice<ImpactStart>(
+        "--start", start,
+        {{"impedance", ImpactStart::wave_admittance}, {"held", ImpactStart::held}, {"zero", ImpactStart::zero}},
+        "finite elements: first force, as in fe-impact");
     command.output(output);
   }
 };
@@ -95,9 +100,12 @@ int run(const Request& request) {
 
 int main(int argc, char** argv) {
   Command command({"table-4-1", "CPU times of both methods in the four Hopkinson-bar cases, beside the published ones",
-                   "Each row is one run at the published step: impulse-response (exact modes up to the Nyquist frequency, trapezoidal rule) and "
-                   "finite-elements (central differences, bisection, elements as short as stability allows). cpu_s is the process's CPU time from the "
-                   "bodies to the force, ratio is published over own, relative_l2 the error against travelling waves at 0.1 us, jumps included.",
+                   "Each row is one run at the published step: impulse-response (exact modes up to the Nyquist "
+                   "frequency, trapezoidal rule) and "
+                   "finite-elements (central differences, bisection, elements as short as stability allows). cpu_s is "
+                   "the process's CPU time from the "
+                   "bodies to the force, ratio is published over own, relative_l2 the error against travelling waves "
+                   "at 0.1 us, jumps included.",
                    "table-4-1 --repeat 3"});
   Request request;
   request.declare(command);

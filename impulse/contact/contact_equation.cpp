@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 #include <optional>
 
 namespace impulse {
@@ -41,9 +42,9 @@ Weights trapezoidal_weights(const PairResponse& body, double step_s) {
   return weights;
 }
 
-/// ½Δt²G_0/U_1 measures how much of the response lies above the Nyquist frequency 1/(2Δt): it is 1 for a kernel smooth within the step,
-/// 1.29 for a rod's exact modes (up to 1.4 for chains) up to the Nyquist frequency (Dirichlet's kernel), 1.57 ν for modes up to ν times it,
-/// and 0 where a jump of H stands without the Dirac pulse that makes it.
+/// ½Δt²G_0/U_1 measures how much of the response lies above the Nyquist frequency 1/(2Δt): it is 1 for a kernel smooth
+/// within the step, 1.29 for a rod's exact modes (up to 1.4 for chains) up to the Nyquist frequency (Dirichlet's
+/// kernel), 1.57 ν for modes up to ν times it, and 0 where a jump of H stands without the Dirac pulse that makes it.
 void require_resolved_by_trapezoid(const Response& response, int number) {
   const PairResponse& pair = response.pair(0, 0);
   const double dt = response.grid.step_s;
@@ -51,14 +52,19 @@ void require_resolved_by_trapezoid(const Response& response, int number) {
   const double u1 = pair.step_displacement_m_per_N[1];
   const double ratio = 0.5 * dt * dt * g0 / u1;
   require(ratio > 0.7,
-          "body {}: the trapezoidal rule needs the impulse response itself, but H jumps (or U does) where G has no Dirac pulse (½Δt²G/U = {:.2g} "
-          "at the first step, not 1 to 1.4); use --method product, or a modal response with modes up to the Nyquist frequency",
+          "body {}: the trapezoidal rule needs the impulse response itself, but H jumps (or U does) where G has no "
+          "Dirac pulse (½Δt²G/U = {:.2g} "
+          "at the first step, not 1 to 1.4); use --method product, or a modal response with modes up to the Nyquist "
+          "frequency",
           number, ratio);
   const double h0 = pair.step_velocity_m_per_Ns[0];
-  require(ratio < 1.45,
-          "body {}: step {:.4g} s aliases the modes of the response above its Nyquist frequency (½Δt²G/U = {:.2g} at the first step, not 1 to "
-          "1.4); use --method product, or a step of {:.3g} s",
-          number, dt, ratio, h0 > 0 ? 2 * h0 / g0 : dt * 1.2 / ratio);
+  require(ratio<1.45,
+                "body {}: step {:.4g} s aliases the modes of the response above its Nyquist frequency (½Δt²G/U = "
+                "{:.2g} at the first step, not 1 to "
+                "1.4); use --method product, or a step of {:.3g} s",
+                number, dt, ratio, h0> 0
+              ? 2 * h0 / g0
+              : dt * 1.2 / ratio);
 }
 
 PairResponse sum(const PairResponse& a, const PairResponse& b) {
@@ -92,6 +98,7 @@ std::vector<double> solve_toeplitz(const std::vector<double>& w, const std::vect
 struct Solution {
   std::vector<double> force;
   double contact_end_s = 0;
+  std::optional<double> impulse_Ns;
   std::vector<double> velocity_1;
   std::vector<double> velocity_2;
 };
@@ -124,8 +131,8 @@ std::size_t release(Solution& solution, const UniformGrid& grid) {
 }
 
 /// The force as unknown samples.
-Solution linear_solution(const Weights& body_1, const Weights& body_2, const UniformGrid& grid, std::optional<double> start,
-                         double speed, ContactMethod method) {
+Solution linear_solution(const Weights& body_1, const Weights& body_2, const UniformGrid& grid,
+                         std::optional<double> start, double speed, ContactMethod method) {
   Weights both = body_1;
   for (std::size_t k = 0; k < both.w.size(); ++k) both.w[k] += body_2.w[k];
   for (std::size_t n = 0; n < both.start.size(); ++n) both.start[n] += body_2.start[n];
@@ -151,17 +158,20 @@ Solution step_solution(const Weights& body_1, const Weights& body_2, const Unifo
   Solution solution;
   solution.force = on_samples(means, f0);
   const std::size_t end = release(solution, grid);
+  // A jump to tension inside the last step leaves that step what was compression in it, at most.
+  if (end > 0 && end <= means.size()) means[end - 1] = std::max(means[end - 1], 0.0);
   std::fill(means.begin() + static_cast<std::ptrdiff_t>(std::min(end, means.size())), means.end(), 0.0);
+  solution.impulse_Ns = grid.step_s * std::accumulate(means.begin(), means.end(), 0.0);
   solution.velocity_1 = on_samples(convolution(body_1.w, means, means.size()), f0 * body_1.start[0]);
   solution.velocity_2 = on_samples(convolution(body_2.w, means, means.size()), f0 * body_2.start[0]);
   return solution;
 }
 
 /// |∫F(v₁ - v₂)dt|/(V∫F dt): what the rigid interface loses between samples, where v₁ = v₂ is not asked for. By
-/// steps, ½(F_n + F_{n+1}) times the interface's displacement over the step, V Δt - Δ(H*F). H*F of a piecewise linear F needs P = ∫U:
-/// P by the trapezoidal rule with end correction, -Δt²/12 ΔH.
-double energy_error(const PairResponse& total, const UniformGrid& grid, const std::vector<double>& force, std::size_t end,
-                    double speed) {
+/// steps, ½(F_n + F_{n+1}) times the interface's displacement over the step, V Δt - Δ(H*F). H*F of a piecewise linear F
+/// needs P = ∫U: P by the trapezoidal rule with end correction, -Δt²/12 ΔH.
+double energy_error(const PairResponse& total, const UniformGrid& grid, const std::vector<double>& force,
+                    std::size_t end, double speed) {
   const std::vector<double>& u = total.step_displacement_m_per_N;
   const std::vector<double>& h = total.step_velocity_m_per_Ns;
   const double dt = grid.step_s;
@@ -189,7 +199,8 @@ void require_compatible(const Response& body_1, const Response& body_2, const Im
   require(body_1.contact_count == 1 && body_2.contact_count == 1,
           "the bodies have {} and {} contacts; this equation has one each", body_1.contact_count, body_2.contact_count);
   require(same_grid(body_1.grid, body_2.grid),
-          "the responses have different grids ({} samples of {:.6g} s and {} samples of {:.6g} s); compute both with the same --step and "
+          "the responses have different grids ({} samples of {:.6g} s and {} samples of {:.6g} s); compute both with "
+          "the same --step and "
           "--duration",
           body_1.grid.size, body_1.grid.step_s, body_2.grid.size, body_2.grid.step_s);
   require(body_1.grid.size >= 4, "the responses have {} samples; at least 4 are needed", body_1.grid.size);
@@ -204,12 +215,15 @@ void require_something_elastic(const PairResponse& total) {
     const double of_mass = u[1] * static_cast<double>(k) * static_cast<double>(k);
     rigid = std::abs(u[k] - of_mass) <= 1e-9 * of_mass;
   }
-  require(!rigid, "both bodies are rigid masses over the whole record (U = t²/2m), so that the force has no limit; one of them has to be elastic");
+  require(!rigid,
+          "both bodies are rigid masses over the whole record (U = t²/2m), so that the force has no limit; one of them "
+          "has to be elastic");
 }
 
 }  // namespace
 
-ImpactHistory solve_contact(const Response& body_1, const Response& body_2, const Impact& impact, ContactMethod method) {
+ImpactHistory solve_contact(const Response& body_1, const Response& body_2, const Impact& impact,
+                            ContactMethod method) {
   require_compatible(body_1, body_2, impact);
   if (method == ContactMethod::trapezoidal) {
     require_resolved_by_trapezoid(body_1, 1);
@@ -220,12 +234,14 @@ ImpactHistory solve_contact(const Response& body_1, const Response& body_2, cons
   const double speed = impact.speed_m_per_s;
   const double u1 = total.step_displacement_m_per_N[1];
   require(u1 > 0,
-          "the bodies' displacement one step after a unit step force is {} m/N: a body that yields backwards is not a passive response",
+          "the bodies' displacement one step after a unit step force is {} m/N: a body that yields backwards is not a "
+          "passive response",
           u1);
   require_something_elastic(total);
   const bool trapezoidal = method == ContactMethod::trapezoidal;
   const auto weights_of = [&](const Response& body) {
-    return trapezoidal ? trapezoidal_weights(body.pair(0, 0), grid.step_s) : product_weights(body.pair(0, 0), grid.step_s);
+    return trapezoidal ? trapezoidal_weights(body.pair(0, 0), grid.step_s)
+                       : product_weights(body.pair(0, 0), grid.step_s);
   };
   const double r = total.step_displacement_m_per_N[0];
   const double h0 = total.step_velocity_m_per_Ns[0];
@@ -236,10 +252,14 @@ ImpactHistory solve_contact(const Response& body_1, const Response& body_2, cons
     solution = step_solution(weights_1, weights_2, grid, speed / h0, speed, method);
   else
     solution = linear_solution(weights_1, weights_2, grid,
-                               r > 0 ? std::optional(0.0) : h0 > 0 ? std::optional(speed / h0) : std::nullopt, speed, method);
+                               r > 0    ? std::optional(0.0)
+                               : h0 > 0 ? std::optional(speed / h0)
+                                        : std::nullopt,
+                               speed, method);
   ImpactHistory history;
   history.grid = grid;
   history.force_N = std::move(solution.force);
+  history.acted_impulse_Ns = solution.impulse_Ns;
   history.velocity_1_m_per_s = std::move(solution.velocity_1);
   history.velocity_2_m_per_s = std::move(solution.velocity_2);
   for (double& v : history.velocity_1_m_per_s) v = speed - v;

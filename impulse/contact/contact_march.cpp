@@ -12,8 +12,8 @@
 namespace impulse {
 namespace {
 
-/// A law with the bodies' residual flexibility R in series: at the law's indentation a the bodies have approached by a + R F, and the
-/// energy taken up is E + R F²/2. A rigid contact with R > 0 is the spring 1/R.
+/// A law with the bodies' residual flexibility R in series: at the law's indentation a the bodies have approached by a
+/// + R F, and the energy taken up is E + R F²/2. A rigid contact with R > 0 is the spring 1/R.
 class Interface {
  public:
   Interface(const ContactLaw& law, double residual)
@@ -29,8 +29,8 @@ class Interface {
   /// What is left of an approach for the surfaces themselves.
   [[nodiscard]] double surface_indentation(double a) const { return is_residual_ ? std::min(a, 0.0) : a; }
 
-  /// Mean force over a path from one indentation to another, by the energy taken up; by Simpson's rule where the difference of energies
-  /// would be rounding.
+  /// Mean force over a path from one indentation to another, by the energy taken up; by Simpson's rule where the
+  /// difference of energies would be rounding.
   [[nodiscard]] double mean_force(const LawHistory& history, double from, double to) const {
     if (residual_ == 0 && std::abs(to - from) < 1e-3 * std::max(std::abs(from), std::abs(to))) {
       const double middle = law_.force(0.5 * (from + to), history);
@@ -42,7 +42,8 @@ class Interface {
     const double f_to = law_.force(to, history);
     const double springs = 0.5 * residual_ * (f_to - f_from) * (f_to + f_from);
     const LawHistory after = law_.advanced(history, to);
-    const double taken_up = law_.stored_energy(to, after) + after.dissipated_J - law_.stored_energy(from, history) - history.dissipated_J;
+    const double taken_up =
+        law_.stored_energy(to, after) + after.dissipated_J - law_.stored_energy(from, history) - history.dissipated_J;
     return (taken_up + springs) / distance;
   }
 
@@ -56,9 +57,13 @@ class Interface {
 class Contact {
  public:
   Contact(const MarchedContact& given, double own_compliance, std::size_t size)
-      : given_(given), interface_(given.law, given.residual_flexibility_m_per_N), compliance_(own_compliance), indentation_(0.0 - given.gap_m) {
+      : given_(given),
+        interface_(given.law, given.residual_flexibility_m_per_N),
+        compliance_(own_compliance),
+        indentation_(0.0 - given.gap_m) {
     require(given.preload_N >= 0, "preload {} N is negative", given.preload_N);
-    require(given.preload_N == 0 || given.gap_m == 0, "a preload of {} N and a gap of {} m exclude each other", given.preload_N, given.gap_m);
+    require(given.preload_N == 0 || given.gap_m == 0, "a preload of {} N and a gap of {} m exclude each other",
+            given.preload_N, given.gap_m);
     require(given.gap_m >= 0, "gap {} m is negative", given.gap_m);
     if (given.preload_N > 0 && !interface_.is_rigid()) settle_preload();
     last_force_ = given.preload_N;
@@ -68,8 +73,8 @@ class Contact {
     record();
   }
 
-  /// Mean force over the step in which the bodies would approach to `free` without a force of this contact's own. The last call before accept
-  /// counts.
+  /// Mean force over the step in which the bodies would approach to `free` without a force of this contact's own. The
+  /// last call before accept counts.
   [[nodiscard]] double force_for(double free) {
     proposed_end_ = free;
     if (finished_) return 0;
@@ -88,8 +93,8 @@ class Contact {
     const double before = approach_;
     approach_ = free - compliance_ * force;
     if (interface_.is_rigid()) {
-      // A rigid contact that bears is closed exactly, and one that arrives on a sample to rounding arrives there: a gap of rounding would
-      // cost force times gap at closing and grow with every bounce.
+      // A rigid contact that bears is closed exactly, and one that arrives on a sample to rounding arrives there: a gap
+      // of rounding would cost force times gap at closing and grow with every bounce.
       if (force > 0 || approach_ > 0 || std::abs(approach_) < 1e-9 * std::abs(approach_ - before)) approach_ = 0;
       indentation_ = approach_;
     } else {
@@ -125,14 +130,17 @@ class Contact {
   }
 
  private:
-  /// Law's indentation at the step's end. Force and indentation grow together, so it lies between the free one and that under the force there.
+  /// Law's indentation at the step's end. Force and indentation grow together, so it lies between the free one and that
+  /// under the force there.
   [[nodiscard]] double end_indentation(double free, double opens_at) const {
     const auto excess = [&](double end) {
-      return interface_.approach(end, history_) - free + compliance_ * interface_.mean_force(history_, indentation_, end);
+      return interface_.approach(end, history_) - free +
+             compliance_ * interface_.mean_force(history_, indentation_, end);
     };
     const double high = std::min(std::max(free, opens_at), interface_.law().largest_possible_indentation_m());
     if (excess(high) < 0)
-      throw std::invalid_argument(fmt::format("the contact is pressed to {:.4g} m, beyond the last point of its law's table ({:.4g} m)", free, high));
+      throw std::invalid_argument(fmt::format(
+          "the contact is pressed to {:.4g} m, beyond the last point of its law's table ({:.4g} m)", free, high));
     double low = std::min({opens_at, indentation_, free}) - 1e-300;
     while (excess(low) > 0) low -= std::max(high - low, 1e-300);
     const double scale = std::max({std::abs(free), std::abs(indentation_), std::abs(low)});
@@ -143,7 +151,8 @@ class Contact {
     const auto excess = [&](double a) { return interface_.law().force(a, history_) - given_.preload_N; };
     double high = std::min(1e-9, interface_.law().largest_possible_indentation_m());
     while (excess(high) < 0) {
-      require(high < interface_.law().largest_possible_indentation_m(), "the contact law never reaches the preload of {} N", given_.preload_N);
+      require(high < interface_.law().largest_possible_indentation_m(),
+              "the contact law never reaches the preload of {} N", given_.preload_N);
       high = std::min(2 * high, interface_.law().largest_possible_indentation_m());
     }
     indentation_ = bracketed_root(excess, 0, high, {.absolute = 1e-300, .relative = 1e-15});
@@ -152,7 +161,8 @@ class Contact {
 
   [[nodiscard]] bool closed() const {
     if (finished_) return false;
-    return interface_.is_rigid() ? indentation_ >= 0 && last_force_ > 0 : indentation_ > interface_.law().permanent_indentation(history_);
+    return interface_.is_rigid() ? indentation_ >= 0 && last_force_ > 0
+                                 : indentation_ > interface_.law().permanent_indentation(history_);
   }
   void record() {
     const bool springless = interface_.is_rigid() || finished_;
@@ -160,7 +170,8 @@ class Contact {
     result_.approach_m.push_back(approach_);
     result_.force_N.push_back(springless ? 0 : interface_.law().force(indentation_, history_));
     const double force = result_.force_N.back();
-    result_.stored_J.push_back(springless || given_.law.is_rigid() ? 0 : interface_.law().stored_energy(indentation_, history_));
+    result_.stored_J.push_back(
+        springless || given_.law.is_rigid() ? 0 : interface_.law().stored_energy(indentation_, history_));
     result_.residual_J.push_back(0.5 * given_.residual_flexibility_m_per_N * force * force);
     result_.dissipated_J.push_back(history_.dissipated_J);
     result_.in_contact.push_back(closed());
@@ -168,7 +179,7 @@ class Contact {
 
   const MarchedContact& given_;
   Interface interface_;
-  double compliance_;   ///< Δt w_ii,0
+  double compliance_;  ///< Δt w_ii,0
   double approach_ = 0;
   double indentation_;  ///< of the law
   double proposed_end_ = 0;
@@ -206,16 +217,19 @@ class CoupledHistory {
   std::vector<std::unique_ptr<CausalConvolution>> pairs_;
 };
 
-void require_consistent(const UniformGrid& grid, const std::vector<MarchedContact>& contacts, const std::vector<std::vector<double>>& weights) {
+void require_consistent(const UniformGrid& grid, const std::vector<MarchedContact>& contacts,
+                        const std::vector<std::vector<double>>& weights) {
   const std::size_t p = contacts.size();
   require(p > 0 && grid.size >= 4, "a march needs a contact and 4 samples, not {} and {}", p, grid.size);
   require(weights.size() == p * p, "{} contacts need {} kernels, not {}", p, p * p, weights.size());
   for (const std::vector<double>& w : weights)
-    require(w.size() + 1 == grid.size, "a kernel has {} weights where {} samples need {}", w.size(), grid.size, grid.size - 1);
+    require(w.size() + 1 == grid.size, "a kernel has {} weights where {} samples need {}", w.size(), grid.size,
+            grid.size - 1);
   for (std::size_t i = 0; i < p; ++i) {
-    require(contacts[i].approach_m_per_s.size() + 1 == grid.size, "contact {}: {} approach velocities for {} steps", i + 1,
-            contacts[i].approach_m_per_s.size(), grid.size - 1);
-    require(weights[i * p + i][0] > 0, "contact {}: the bodies do not yield at all within a step of {} s (two rigid walls?)", i + 1, grid.step_s);
+    require(contacts[i].approach_m_per_s.size() + 1 == grid.size, "contact {}: {} approach velocities for {} steps",
+            i + 1, contacts[i].approach_m_per_s.size(), grid.size - 1);
+    require(weights[i * p + i][0] > 0,
+            "contact {}: the bodies do not yield at all within a step of {} s (two rigid walls?)", i + 1, grid.step_s);
   }
 }
 
@@ -239,7 +253,8 @@ std::vector<MarchedHistory> march_contacts(const UniformGrid& grid, const std::v
 
   for (std::size_t n = 0; n + 1 < grid.size; ++n) {
     for (std::size_t i = 0; i < p; ++i)
-      base[i] = contacts[i].approach() + dt * (contacts[i].free_velocity(n) - past.at(i) + weights[i * p + i][0] * contacts[i].preload());
+      base[i] = contacts[i].approach() +
+                dt * (contacts[i].free_velocity(n) - past.at(i) + weights[i * p + i][0] * contacts[i].preload());
     // Gauss-Seidel over the contacts: one sweep settles it unless they feel each other within the step.
     for (int sweep = 0;; ++sweep) {
       double change = 0;
@@ -255,7 +270,8 @@ std::vector<MarchedHistory> march_contacts(const UniformGrid& grid, const std::v
       }
       if (!coupled || change <= 1e-13 * size) break;
       if (sweep == 1000)
-        throw ConvergenceError(fmt::format("the contacts do not settle at {:.6g} s (forces still change by {:.2g} of the largest); use a shorter step",
+        throw ConvergenceError(fmt::format("the contacts do not settle at {:.6g} s (forces still change by {:.2g} of "
+                                           "the largest); use a shorter step",
                                            grid.time_s(n), change / size),
                                1e-13, change / size, 1000);
     }

@@ -13,9 +13,11 @@ enum class Recontact { no, yes };
 /// One contact of a march.
 struct MarchedContact {
   ContactLaw law = ContactLaw::rigid();
-  double residual_flexibility_m_per_N = 0;  ///< R of both bodies, in series with the law; the whole law of a rigid contact
-  double gap_m = 0;                         ///< at t = 0
-  double preload_N = 0;  ///< constant force that pressed the bodies together before t = 0, held by what holds the bodies; needs gap 0
+  double residual_flexibility_m_per_N =
+      0;             ///< R of both bodies, in series with the law; the whole law of a rigid contact
+  double gap_m = 0;  ///< at t = 0
+  double preload_N =
+      0;  ///< constant force that pressed the bodies together before t = 0, held by what holds the bodies; needs gap 0
   /// Mean over each step of the velocity of approach were there no contact force, V̄_n [m/s], one fewer than samples.
   std::vector<double> approach_m_per_s;
 };
@@ -28,27 +30,30 @@ struct MarchedHistory {
   std::vector<double> stored_J;       ///< in the law, at the samples
   std::vector<double> residual_J;     ///< in the residual flexibility: R F²/2, the bodies' own
   std::vector<double> dissipated_J;
-  std::vector<double> force_N;        ///< at the samples: the law's; of a rigid contact the mean of the neighbouring steps
-  std::vector<bool> in_contact;       ///< at the samples
+  std::vector<double> force_N;   ///< at the samples: the law's; of a rigid contact the mean of the neighbouring steps
+  std::vector<bool> in_contact;  ///< at the samples
 };
 
 /// Contact forces of p contacts with laws, opening and closing, in one march.
 ///
-/// The force of contact i is F̄_i,n over step n; with w_ij = second differences of U_ij over Δt (contact_equation.hpp; U_ij the approach that a
-/// unit step force at j takes back at i, summed over the bodies that i and j share) the indentations at the samples are exact for that force:
+/// The force of contact i is F̄_i,n over step n; with w_ij = second differences of U_ij over Δt (contact_equation.hpp;
+/// U_ij the approach that a unit step force at j takes back at i, summed over the bodies that i and j share) the
+/// indentations at the samples are exact for that force:
 ///
 ///   α_i,n+1 = α_i,n + Δt [V̄_i,n - Σ_j Σ_{k≤n} w_ij,n-k (F̄_j,k - P_j)]
 ///
-/// and the law holds over each step in the mean that conserves energy: F̄_n = [E(α_n+1) - E(α_n)]/(α_n+1 - α_n), E = stored + dissipated.
-/// So the work of the bodies on the contacts is what the laws took up, to the tolerance of the scalar solver, whatever the step.
-/// With a residual flexibility R the approach is α + R F and its energy E + R F²/2.
-/// A rigid contact obeys F̄ ≥ 0, α ≤ 0, F̄ α = 0 at each step's end. Contacts that feel each other within a step (w_ij,0 ≠ 0) are iterated.
-/// Order 2 in Δt for laws; a rigid contact that closes inside a step loses F̄·gap, of order 1.
-/// Cost: O(p² N log² N) by relaxed convolution and a scalar equation per closed contact and step. The history is the direct sum to rounding.
-/// `Recontact::no`: a contact that opened (a rigid one: for three steps) stays open.
-/// @throws std::invalid_argument for sizes that disagree or w_ii,0 ≤ 0; ConvergenceError if an iteration does not settle.
-/// Verified by: tests/impulse/contact_march.test.cpp
-[[nodiscard]] std::vector<MarchedHistory> march_contacts(const UniformGrid& grid, const std::vector<MarchedContact>& contacts,
-                                                         const std::vector<std::vector<double>>& weights, Recontact recontact);
+/// and the law holds over each step in the mean that conserves energy: F̄_n = [E(α_n+1) - E(α_n)]/(α_n+1 - α_n), E =
+/// stored + dissipated. So the work of the bodies on the contacts is what the laws took up, to the tolerance of the
+/// scalar solver, whatever the step. With a residual flexibility R the approach is α + R F and its energy E + R F²/2.
+/// A rigid contact obeys F̄ ≥ 0, α ≤ 0, F̄ α = 0 at each step's end. Contacts that feel each other within a step (w_ij,0
+/// ≠ 0) are iterated. Order 2 in Δt for laws; a rigid contact that closes inside a step loses F̄·gap, of order 1. Cost:
+/// O(p² N log² N) by relaxed convolution and a scalar equation per closed contact and step. The history is the direct
+/// sum to rounding. `Recontact::no`: a contact that opened (a rigid one: for three steps) stays open.
+/// @throws std::invalid_argument for sizes that disagree or w_ii,0 ≤ 0; ConvergenceError if an iteration does not
+/// settle. Verified by: tests/impulse/contact_march.test.cpp
+[[nodiscard]] std::vector<MarchedHistory> march_contacts(const UniformGrid& grid,
+                                                         const std::vector<MarchedContact>& contacts,
+                                                         const std::vector<std::vector<double>>& weights,
+                                                         Recontact recontact);
 
 }  // namespace impulse

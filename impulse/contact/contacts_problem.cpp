@@ -25,15 +25,17 @@ std::vector<Joint> joints_of(const std::vector<Response>& bodies) {
   require(bodies.size() >= 2, "an impact needs two bodies, not {}", bodies.size());
   std::vector<Joint> joints;
   if (bodies.size() == 2) {
-    require(bodies[0].contact_count == bodies[1].contact_count, "the bodies have {} and {} contacts; they must meet at the same number of points",
-            bodies[0].contact_count, bodies[1].contact_count);
+    require(bodies[0].contact_count == bodies[1].contact_count,
+            "the bodies have {} and {} contacts; they must meet at the same number of points", bodies[0].contact_count,
+            bodies[1].contact_count);
     for (std::size_t i = 0; i < bodies[0].contact_count; ++i) joints.push_back({{0, i}, {1, i}});
     return joints;
   }
   for (std::size_t b = 0; b < bodies.size(); ++b) {
     const std::size_t needed = b == 0 || b + 1 == bodies.size() ? 1 : 2;
-    require(bodies[b].contact_count == needed, "body {} of the chain has {} contacts; {} needed (an inner body has an entry and an exit: --face A,B)", b + 1,
-            bodies[b].contact_count, needed == 1 ? "1 is" : "2 are");
+    require(bodies[b].contact_count == needed,
+            "body {} of the chain has {} contacts; {} needed (an inner body has an entry and an exit: --face A,B)",
+            b + 1, bodies[b].contact_count, needed == 1 ? "1 is" : "2 are");
   }
   for (std::size_t c = 0; c + 1 < bodies.size(); ++c) joints.push_back({{c, c == 0 ? 0u : 1u}, {c + 1, 0}});
   return joints;
@@ -53,16 +55,19 @@ void add(std::vector<double>& sum, const std::vector<double>& term) {
 }
 
 /// Mean velocity into a body at one of its contacts, over each step, under the forces at all of them.
-std::vector<double> velocity_into(const Response& body, std::size_t at, const std::vector<const std::vector<double>*>& forces, double step_s) {
+std::vector<double> velocity_into(const Response& body, std::size_t at,
+                                  const std::vector<const std::vector<double>*>& forces, double step_s) {
   std::vector<double> velocity(body.grid.size - 1, 0.0);
   for (std::size_t j = 0; j < body.contact_count; ++j) {
     if (forces[j] == nullptr) continue;
     const PairResponse& pair = body.pair(at, j);
     add(velocity, convolution(smooth_weights(pair, step_s), *forces[j], velocity.size()));
-    // A residual flexibility R adds R F', the difference of the force at the step's ends: here of its means, to order 1 at worst and only in the face's motion.
+    // A residual flexibility R adds R F', the difference of the force at the step's ends: here of its means, to order 1
+    // at worst and only in the face's motion.
     const double r = pair.step_displacement_m_per_N[0];
     if (r == 0) continue;
-    for (std::size_t n = 0; n < velocity.size(); ++n) velocity[n] += r * ((*forces[j])[n] - (n == 0 ? 0.0 : (*forces[j])[n - 1])) / step_s;
+    for (std::size_t n = 0; n < velocity.size(); ++n)
+      velocity[n] += r * ((*forces[j])[n] - (n == 0 ? 0.0 : (*forces[j])[n - 1])) / step_s;
   }
   return velocity;
 }
@@ -83,18 +88,24 @@ std::vector<double> running_sum(const std::vector<double>& steps, double step_s)
 
 class Problem {
  public:
-  Problem(const std::vector<Response>& bodies, const ContactsProblem& given) : bodies_(bodies), given_(given), joints_(joints_of(bodies)) {
+  Problem(const std::vector<Response>& bodies, const ContactsProblem& given)
+      : bodies_(bodies), given_(given), joints_(joints_of(bodies)) {
     for (const Response& body : bodies) {
       require_valid(body);
       require(same_grid(body.grid, bodies[0].grid),
-              "the responses have different grids ({} samples of {:.6g} s and {} samples of {:.6g} s); compute all with the same --step and --duration",
+              "the responses have different grids ({} samples of {:.6g} s and {} samples of {:.6g} s); compute all "
+              "with the same --step and --duration",
               bodies[0].grid.size, bodies[0].grid.step_s, body.grid.size, body.grid.step_s);
     }
-    require(given.speed_m_per_s.size() == bodies.size(), "{} speeds for {} bodies", given.speed_m_per_s.size(), bodies.size());
-    require(given.laws.size() == joints_.size(), "{} contact laws for {} contacts; give one for all or one each (--law)", given.laws.size(), joints_.size());
-    require(given.gaps_m.size() == joints_.size(), "{} gaps for {} contacts; give one for all or one each (--gap)", given.gaps_m.size(), joints_.size());
+    require(given.speed_m_per_s.size() == bodies.size(), "{} speeds for {} bodies", given.speed_m_per_s.size(),
+            bodies.size());
+    require(given.laws.size() == joints_.size(),
+            "{} contact laws for {} contacts; give one for all or one each (--law)", given.laws.size(), joints_.size());
+    require(given.gaps_m.size() == joints_.size(), "{} gaps for {} contacts; give one for all or one each (--gap)",
+            given.gaps_m.size(), joints_.size());
     for (const auto* free : {&given.free_velocity_first_m_per_s, &given.free_velocity_last_m_per_s})
-      require(free->empty() || free->size() == grid().size, "a free velocity of {} samples for responses of {}", free->size(), grid().size);
+      require(free->empty() || free->size() == grid().size, "a free velocity of {} samples for responses of {}",
+              free->size(), grid().size);
   }
 
   [[nodiscard]] ContactsSolution solve() const {
@@ -146,7 +157,8 @@ class Problem {
 
   [[nodiscard]] std::vector<double> free_velocity(std::size_t body) const {
     std::vector<double> mean(grid().size - 1, given_.speed_m_per_s[body]);
-    for (const auto& [own, free] : {std::pair{std::size_t{0}, &given_.free_velocity_first_m_per_s}, {bodies_.size() - 1, &given_.free_velocity_last_m_per_s}})
+    for (const auto& [own, free] : {std::pair{std::size_t{0}, &given_.free_velocity_first_m_per_s},
+                                    {bodies_.size() - 1, &given_.free_velocity_last_m_per_s}})
       if (body == own && !free->empty())
         for (std::size_t n = 0; n < mean.size(); ++n) mean[n] += 0.5 * ((*free)[n] + (*free)[n + 1]);
     return mean;
@@ -177,14 +189,18 @@ class Problem {
     trace.stored_J = own.stored_J;
     trace.dissipated_J = own.dissipated_J;
     trace.in_contact = own.in_contact;
-    fill_side(joints_[c].first, -1, histories, own.mean_force_N, trace.velocity_1_m_per_s, trace.displacement_1_m, trace.work_1_J);
-    fill_side(joints_[c].second, +1, histories, own.mean_force_N, trace.velocity_2_m_per_s, trace.displacement_2_m, trace.work_2_J);
+    fill_side(joints_[c].first, -1, histories, own.mean_force_N, trace.velocity_1_m_per_s, trace.displacement_1_m,
+              trace.work_1_J);
+    fill_side(joints_[c].second, +1, histories, own.mean_force_N, trace.velocity_2_m_per_s, trace.displacement_2_m,
+              trace.work_2_J);
     return trace;
   }
 
-  /// Motion of one face, along the row (direction -1: into the body is against it), and the work that the contact's force did on it.
-  void fill_side(const Side& side, double direction, const std::vector<MarchedHistory>& histories, const std::vector<double>& own_force,
-                 std::vector<double>& velocity, std::vector<double>& displacement, std::vector<double>& work) const {
+  /// Motion of one face, along the row (direction -1: into the body is against it), and the work that the contact's
+  /// force did on it.
+  void fill_side(const Side& side, double direction, const std::vector<MarchedHistory>& histories,
+                 const std::vector<double>& own_force, std::vector<double>& velocity, std::vector<double>& displacement,
+                 std::vector<double>& work) const {
     const Response& body = bodies_[side.body];
     // The force beyond the preload, at every contact of this body.
     std::vector<std::vector<double>> beyond(body.contact_count);
@@ -215,6 +231,8 @@ class Problem {
 
 }  // namespace
 
-ContactsSolution solve_contacts(const std::vector<Response>& bodies, const ContactsProblem& problem) { return Problem(bodies, problem).solve(); }
+ContactsSolution solve_contacts(const std::vector<Response>& bodies, const ContactsProblem& problem) {
+  return Problem(bodies, problem).solve();
+}
 
 }  // namespace impulse

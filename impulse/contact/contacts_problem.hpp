@@ -13,8 +13,9 @@ struct ContactsProblem {
   std::vector<double> speed_m_per_s;  ///< of each body at t = 0, in the direction from the first to the last
   std::vector<ContactLaw> laws;       ///< of each contact
   std::vector<double> gaps_m;         ///< of each contact at t = 0
-  double preload_N = 0;               ///< constant force through every contact before t = 0, held by what holds the bodies
-  /// Velocity of each body's face at a contact were there no contact force, beyond its speed; empty: none. Of the first and the last body.
+  double preload_N = 0;  ///< constant force through every contact before t = 0, held by what holds the bodies
+  /// Velocity of each body's face at a contact were there no contact force, beyond its speed; empty: none. Of the first
+  /// and the last body.
   std::vector<double> free_velocity_first_m_per_s;
   std::vector<double> free_velocity_last_m_per_s;
   Recontact recontact = Recontact::no;
@@ -22,19 +23,22 @@ struct ContactsProblem {
 
 struct ContactsSolution {
   std::vector<ContactTrace> traces;  ///< one a contact
-  double energy_error = 0;  ///< |Σ ∫F α' dt - stored - dissipated| / Σ|work of the approach|: what rigid contacts lose in closing, and rounding
+  double energy_error = 0;  ///< |Σ ∫F α' dt - stored - dissipated| / Σ|work of the approach|: what rigid contacts lose
+                            ///< in closing, and rounding
   bool in_contact_at_end = false;
 };
 
 /// Contact forces of a row of bodies or of two bodies at several points.
 ///
 /// * Two responses with p contacts each: contact i joins their i-th contacts; w_ij is that of the sum of both.
-/// * A chain of B ≥ 2 bodies, the inner ones with two contacts (entry, exit), the ends with one: contact c joins the exit of body c to the entry of body c+1.
+/// * A chain of B ≥ 2 bodies, the inner ones with two contacts (entry, exit), the ends with one: contact c joins the
+/// exit of body c to the entry of body c+1.
 ///   w_cc = exit of c + entry of c+1, w_c,c+1 = entry-exit of body c+1.
 ///
-/// The law of a rigid contact whose bodies have a residual flexibility R in all is that flexibility, a spring 1/R; of any other law R lies in series
-/// with it. See contact_march.hpp for the march and its order.
-/// @throws std::invalid_argument if grids, contacts or lengths disagree. Verified by: tests/impulse/contacts_problem.test.cpp
+/// The law of a rigid contact whose bodies have a residual flexibility R in all is that flexibility, a spring 1/R; of
+/// any other law R lies in series with it. See contact_march.hpp for the march and its order.
+/// @throws std::invalid_argument if grids, contacts or lengths disagree. Verified by:
+/// tests/impulse/contacts_problem.test.cpp
 [[nodiscard]] ContactsSolution solve_contacts(const std::vector<Response>& bodies, const ContactsProblem& problem);
 
 }  // namespace impulse

@@ -30,10 +30,11 @@ std::vector<double> series_toeplitz(std::span<const double> w, std::span<const d
   std::vector<double> marched = marched_toeplitz(w, b, [](auto) { return false; });
   const double residual = largest_residual(w, b, marched);
   if (!(residual <= tolerance))
-    throw ConvergenceError(fmt::format("the discrete contact equation is left with a residual of {:.2g} m/s where {:.2g} was asked "
-                                       "(its kernel amplifies rounding); use a longer step or fewer modes",
-                                       residual, tolerance),
-                           tolerance, residual, result.refinements + 1);
+    throw ConvergenceError(
+        fmt::format("the discrete contact equation is left with a residual of {:.2g} m/s where {:.2g} was asked "
+                    "(its kernel amplifies rounding); use a longer step or fewer modes",
+                    residual, tolerance),
+        tolerance, residual, result.refinements + 1);
   return marched;
 }
 
@@ -54,11 +55,11 @@ std::vector<double> contour_toeplitz(std::span<const double> w, std::span<const 
   for (std::size_t k = 0; k < size; ++k) x[k] = time[k] * std::exp(damping * static_cast<double>(k));
   const double residual = largest_residual(w, b, x);
   if (!(residual <= tolerance))
-    throw ConvergenceError(
-        fmt::format("division on the shifted contour leaves a residual of {:.2g} m/s where {:.2g} was asked (the kernel rings or the record "
-                    "is cut off sharply); use --method product",
-                    residual, tolerance),
-        tolerance, residual, 1);
+    throw ConvergenceError(fmt::format("division on the shifted contour leaves a residual of {:.2g} m/s where {:.2g} "
+                                       "was asked (the kernel rings or the record "
+                                       "is cut off sharply); use --method product",
+                                       residual, tolerance),
+                           tolerance, residual, 1);
   return x;
 }
 

@@ -163,8 +163,7 @@ ModalModel exact_bar_modes(const Bar& bar, const ModeRange& range) {
       model.participation(mode, i) = participation[static_cast<std::size_t>(mode)][static_cast<std::size_t>(i)];
   }
   for (Eigen::Index i = 0; i < contact_count; ++i)
-    model.wave_admittance(i, i) =
-        1 / face_impedance_kg_per_s(bar.profile, bar.faces[static_cast<std::size_t>(i)]);
+    model.wave_admittance(i, i) = 1 / face_impedance_kg_per_s(bar.profile, bar.faces[static_cast<std::size_t>(i)]);
   return model;
 }
 

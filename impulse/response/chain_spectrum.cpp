@@ -7,8 +7,8 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// From the far end backwards: the reflectance ρ = l/r at the left of each piece, through the impedance -N/v at each joint; then
-/// forwards: v_right/v_left = spread·e^(-sτ)(1 + ρ_right)/(1 + ρ_left).
+/// From the far end backwards: the reflectance ρ = l/r at the left of each piece, through the impedance -N/v at each
+/// joint; then forwards: v_right/v_left = spread·e^(-sτ)(1 + ρ_right)/(1 + ρ_left).
 template <class T>
 EndMobility<T> mobility(const WaveLine& line, Complex s, const T& inverse_s) {
   const T one = T(1.0);

@@ -6,7 +6,8 @@
 
 namespace impulse {
 
-/// Velocity per unit force in the Laplace domain, at the struck end and (axially, away from the struck end) at the far end.
+/// Velocity per unit force in the Laplace domain, at the struck end and (axially, away from the struck end) at the far
+/// end.
 template <class T>
 struct EndMobility {
   T struck;

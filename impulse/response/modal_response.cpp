@@ -87,8 +87,8 @@ PairResponse pair_response(const ModalModel& body, Eigen::Index i, Eigen::Index 
       if (omega == 0 || p == 0) continue;
       const double zeta = body.damping_ratio(mode);
       const double damped = omega * std::sqrt(1 - zeta * zeta);
-      add_oscillator({zeta * omega, damped, p, zeta * omega / damped, p / damped, p / (omega * omega)}, grid.step_s, begin,
-                     end, out);
+      add_oscillator({zeta * omega, damped, p, zeta * omega / damped, p / damped, p / (omega * omega)}, grid.step_s,
+                     begin, end, out);
     }
   }
   out.h[0] = body.wave_admittance(i, j);

@@ -20,8 +20,8 @@ struct PairResponse {
   std::vector<double> step_displacement_m_per_N;
 };
 
-/// A body as seen from its p contacts. Displacements and forces count in the direction *into* the body at each contact, so
-/// that G_ij = G_ji, and a free bar's G_AB tends to -1/m in the mean.
+/// A body as seen from its p contacts. Displacements and forces count in the direction *into* the body at each contact,
+/// so that G_ij = G_ji, and a free bar's G_AB tends to -1/m in the mean.
 struct Response {
   UniformGrid grid;
   std::size_t contact_count = 1;

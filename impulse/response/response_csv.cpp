@@ -18,7 +18,8 @@ struct PairNames {
 };
 
 PairNames names_of(std::size_t contacts, std::size_t i, std::size_t j) {
-  return {pair_name("impulse_response", "per_kg", contacts, i, j), pair_name("step_velocity", "m_per_Ns", contacts, i, j),
+  return {pair_name("impulse_response", "per_kg", contacts, i, j),
+          pair_name("step_velocity", "m_per_Ns", contacts, i, j),
           pair_name("step_displacement", "m_per_N", contacts, i, j)};
 }
 
@@ -46,22 +47,26 @@ Eigen::MatrixXd constants(const CsvTable& table, const char* stem, const char* u
       const std::vector<double>& column = table.column(name);
       for (std::size_t row = 1; row < column.size(); ++row)
         if (column[row] != column[0])
-          throw InputError(table.file(), table.line(row), table.field(name),
-                           fmt::format("{} is one number repeated down the rows, but {} follows {}", name, column[row], column[0]));
+          throw InputError(
+              table.file(), table.line(row), table.field(name),
+              fmt::format("{} is one number repeated down the rows, but {} follows {}", name, column[row], column[0]));
       values(i, j) = column[0];
     }
   return values;
 }
 
-void read_pair(const CsvTable& table, DiracParts dirac, const PairNames& names, const UniformGrid& grid, PairResponse& pair) {
+void read_pair(const CsvTable& table, DiracParts dirac, const PairNames& names, const UniformGrid& grid,
+               PairResponse& pair) {
   (void)table.field(names.g);
   const bool complete = table.has(names.h) && table.has(names.u);
   if (!complete && dirac == DiracParts::as_columns_say) {
     const std::string& missing = table.has(names.h) ? names.u : names.h;
-    throw InputError(table.file(), 1, 0,
-                     fmt::format("column {} is missing ({} alone leaves out the Dirac pulses of a rod); give it, or say --no-dirac if "
-                                 "the impulse response is a plain function",
-                                 missing, names.g));
+    throw InputError(
+        table.file(), 1, 0,
+        fmt::format(
+            "column {} is missing ({} alone leaves out the Dirac pulses of a rod); give it, or say --no-dirac if "
+            "the impulse response is a plain function",
+            missing, names.g));
   }
   pair.impulse_response_per_kg = table.column(names.g);
   pair.step_velocity_m_per_Ns =

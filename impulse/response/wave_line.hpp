@@ -9,16 +9,17 @@ namespace impulse {
 /// One segment as a wave sees it, from the struck end towards the far end.
 ///
 /// In a cone ψ = D·u obeys the plain wave equation, so velocity waves keep their shape and scale with 1/D:
-/// r(y,t) ∝ f(t - y/c)/D to the right, l ∝ g(t + y/c)/D to the left, velocity v = r + l. Force (tension) in the Laplace domain:
+/// r(y,t) ∝ f(t - y/c)/D to the right, l ∝ g(t + y/c)/D to the left, velocity v = r + l. Force (tension) in the Laplace
+/// domain:
 ///
 ///   N = -Z [(1 + κ/s) r - (1 - κ/s) l],   Z = A√(Eρ),   κ = c D'/D   (κ = 0 in a cylinder)
 struct WavePiece {
   double travel_time_s;
-  double impedance_left;   ///< Z [kg/s]
+  double impedance_left;  ///< Z [kg/s]
   double impedance_right;
-  double taper_left;       ///< κ [1/s]
+  double taper_left;  ///< κ [1/s]
   double taper_right;
-  double spread;           ///< D_left/D_right: what a wave to the right is multiplied by on its way
+  double spread;  ///< D_left/D_right: what a wave to the right is multiplied by on its way
 };
 
 struct WaveLine {
@@ -31,14 +32,15 @@ struct WaveLine {
 
 /// Scattering at the ends and joints of a line. T is what 1/s is: a complex number, or a power series.
 ///
-/// At a joint of a (left) and b (right), continuity of v and N with r_a and l_b coming in gives, d = Z_b(1 + κ_b/s) + Z_a(1 - κ_a/s),
+/// At a joint of a (left) and b (right), continuity of v and N with r_a and l_b coming in gives, d = Z_b(1 + κ_b/s) +
+/// Z_a(1 - κ_a/s),
 ///   l_a = [Z_a(1 + κ_a/s) - Z_b(1 + κ_b/s)]/d · r_a + 2Z_b/d · l_b,      r_b = 2Z_a/d · r_a + (2Z_b/d - 1) · l_b.
 template <class T>
 struct Joint {
-  T reflection_left;      ///< r_a → l_a
-  T transmission_right;   ///< r_a → r_b
-  T transmission_left;    ///< l_b → l_a
-  T reflection_right;     ///< l_b → r_b
+  T reflection_left;     ///< r_a → l_a
+  T transmission_right;  ///< r_a → r_b
+  T transmission_left;   ///< l_b → l_a
+  T reflection_right;    ///< l_b → r_b
 };
 
 template <class T>

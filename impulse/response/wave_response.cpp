@@ -109,15 +109,17 @@ void add_pulses(const std::vector<Pulse>& pulses, double mu, double sign, const 
 /// The transforms and spectra take some 60 bytes a value, 8 GB at most.
 std::size_t affordable_size(std::size_t sample_count, std::size_t oversampling) {
   const double size = static_cast<double>(sample_count) * static_cast<double>(oversampling);
-  require(size <= 0x1p27,
-          "the cone is so sharp at one end that its waves need {} values per step ({:.2g} in all); use a blunter end, a "
-          "shorter duration, or modes (--method modal)",
-          oversampling, size);
+  require(
+      size <= 0x1p27,
+      "the cone is so sharp at one end that its waves need {} values per step ({:.2g} in all); use a blunter end, a "
+      "shorter duration, or modes (--method modal)",
+      oversampling, size);
   return fast_transform_size(sample_count * oversampling);
 }
 
-/// What the truncated series leave out of G, H = G/s and U = G/s², by the trapezoidal rule on Re s = σ (an FFT): f(t) = e^(σt)/π Re ∫ f̂ e^(iωt) dω.
-/// Period four times the record and σ = 9/duration: aliases enter by e^-27 and below, rounding grows by e^9.
+/// What the truncated series leave out of G, H = G/s and U = G/s², by the trapezoidal rule on Re s = σ (an FFT): f(t) =
+/// e^(σt)/π Re ∫ f̂ e^(iωt) dω. Period four times the record and σ = 9/duration: aliases enter by e^-27 and below,
+/// rounding grows by e^9.
 class RemainderTransform {
  public:
   RemainderTransform(const UniformGrid& grid, double mu)
@@ -146,8 +148,8 @@ class RemainderTransform {
   double sigma_;
 };
 
-/// μ of the tails' series, 0 without cones. Scattering n times at rates κ makes coefficients (nκ/μ)^k/k! of q^k: with μ = nκ they stay
-/// bounded on long records, and the remainder is smooth on the scale of 1/μ.
+/// μ of the tails' series, 0 without cones. Scattering n times at rates κ makes coefficients (nκ/μ)^k/k! of q^k: with μ
+/// = nκ they stay bounded on long records, and the remainder is smooth on the scale of 1/μ.
 double tail_rate(const WaveLine& line, double duration_s) {
   double fastest = 0;
   double travel_time = 0;

@@ -38,7 +38,8 @@ TomlFile read_toml(const std::string& path) {
   try {
     table = toml::parse(text, file.name);
   } catch (const toml::parse_error& error) {
-    throw InputError(file.name, error.source().begin.line, error.source().begin.column, std::string(error.description()));
+    throw InputError(file.name, error.source().begin.line, error.source().begin.column,
+                     std::string(error.description()));
   }
   std::vector<TomlEntry>& entries = file.entries;
   for (const auto& [key, node] : table) {

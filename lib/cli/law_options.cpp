@@ -42,9 +42,10 @@ struct LawOptions::Use {
 };
 
 void LawOptions::declare(Command& command) {
-  command.text("--law", laws_, "rigid|linear|hertz|tan-sun|TABLE.csv",
-               "contact law (default: rigid); a table has columns indentation_m,loading_force_N[,unloading_force_N]; of "
-               "several contacts all the same, or repeated for each with its constants, linear:1e8N/m");
+  command.text(
+      "--law", laws_, "rigid|linear|hertz|tan-sun|TABLE.csv",
+      "contact law (default: rigid); a table has columns indentation_m,loading_force_N[,unloading_force_N]; of "
+      "several contacts all the same, or repeated for each with its constants, linear:1e8N/m");
   command.text("--stiffness", stiffness_, "STIFFNESS",
                "contact stiffness: N/m for linear, N/m^1.5 for hertz and tan-sun");
   command.quantity("--tip-radius", tip_radius_m_, "m", Sign::positive,
@@ -109,7 +110,8 @@ double LawOptions::stiffness_of_tip() const {
 std::vector<ContactLaw> LawOptions::laws(std::size_t contact_count) const {
   if (laws_.size() <= 1) return std::vector<ContactLaw>(contact_count, law());
   if (laws_.size() != contact_count)
-    throw UsageError("--law", fmt::format("given {} times for {} contacts; give it once, or once for each", laws_.size(), contact_count));
+    throw UsageError("--law", fmt::format("given {} times for {} contacts; give it once, or once for each",
+                                          laws_.size(), contact_count));
   std::vector<ContactLaw> laws;
   for (const std::string& text : laws_) {
     LawOptions one;

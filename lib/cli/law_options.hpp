@@ -23,8 +23,9 @@ class LawOptions {
  public:
   void declare(Command& command);
 
-  /// One law a contact: the law that was described, for every contact; or, where --law is given once a contact, each by itself with
-  /// its constants after colons: rigid, linear:STIFFNESS, hertz:STIFFNESS, tan-sun:STIFFNESS:BETA:INDENTATION or a FILE.
+  /// One law a contact: the law that was described, for every contact; or, where --law is given once a contact, each by
+  /// itself with its constants after colons: rigid, linear:STIFFNESS, hertz:STIFFNESS,
+  /// tan-sun:STIFFNESS:BETA:INDENTATION or a FILE.
   /// @throws as law(), and UsageError if the numbers of laws and contacts differ.
   [[nodiscard]] std::vector<ContactLaw> laws(std::size_t contact_count) const;
 
@@ -40,7 +41,7 @@ class LawOptions {
 
   [[nodiscard]] std::string name() const { return laws_.empty() ? "rigid" : laws_.front(); }
 
-  std::vector<std::string> laws_;  ///< empty: rigid
+  std::vector<std::string> laws_;         ///< empty: rigid
   std::optional<std::string> stiffness_;  ///< its unit depends on the law
   std::optional<double> tip_radius_m_;
   std::optional<Material> tip_material_;

@@ -13,11 +13,14 @@
 namespace impulse {
 namespace {
 
-/// A message may quote what was read, binary garbage or a line of megabytes: it stays one line of at most 1000 characters.
+/// A message may quote what was read, binary garbage or a line of megabytes: it stays one line of at most 1000
+/// characters.
 std::string one_line(std::string message) {
   constexpr std::size_t most = 1000, ending = 300;
   if (message.size() > most) {
-    const auto inside_character = [&](std::size_t at) { return (static_cast<unsigned char>(message[at]) & 0xC0) == 0x80; };
+    const auto inside_character = [&](std::size_t at) {
+      return (static_cast<unsigned char>(message[at]) & 0xC0) == 0x80;
+    };
     std::size_t begin = most - ending;
     while (begin > 0 && inside_character(begin)) --begin;
     std::size_t end = message.size() - ending;

@@ -5,7 +5,8 @@
 namespace impulse {
 namespace {
 
-/// Time at which a linear indentation passes zero between samples k and k+1; sample `closed` if it doesn't (a rigid contact).
+/// Time at which a linear indentation passes zero between samples k and k+1; sample `closed` if it doesn't (a rigid
+/// contact).
 double crossing_s(const std::vector<double>& indentation, const UniformGrid& grid, std::size_t k, std::size_t closed) {
   const double a = indentation[k];
   const double b = indentation[k + 1];
@@ -29,10 +30,12 @@ std::vector<ContactInterval> contact_intervals(const ContactTrace& trace, const 
     interval.start_s = first == 0 ? 0 : crossing_s(trace.indentation_m, grid, first - 1, first);
     interval.open_ended = k == grid.size;
     interval.end_s = interval.open_ended ? grid.duration_s() : crossing_s(trace.indentation_m, grid, last, last);
-    const auto peak = std::max_element(trace.force_N.begin() + static_cast<std::ptrdiff_t>(first), trace.force_N.begin() + static_cast<std::ptrdiff_t>(k));
+    const auto peak = std::max_element(trace.force_N.begin() + static_cast<std::ptrdiff_t>(first),
+                                       trace.force_N.begin() + static_cast<std::ptrdiff_t>(k));
     interval.peak_force_N = *peak;
     interval.peak_time_s = grid.time_s(static_cast<std::size_t>(peak - trace.force_N.begin()));
-    interval.impulse_Ns = trace.running_impulse_Ns[std::min(k, grid.size - 1)] - trace.running_impulse_Ns[first == 0 ? 0 : first - 1];
+    interval.impulse_Ns =
+        trace.running_impulse_Ns[std::min(k, grid.size - 1)] - trace.running_impulse_Ns[first == 0 ? 0 : first - 1];
     intervals.push_back(interval);
   }
   return intervals;

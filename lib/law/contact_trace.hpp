@@ -7,14 +7,15 @@
 
 namespace impulse {
 
-/// History of one contact that may open and close. Side 1 is the body that arrives (or the earlier one of a chain), side 2 the other;
-/// velocities and displacements count in the direction in which side 1 moves.
+/// History of one contact that may open and close. Side 1 is the body that arrives (or the earlier one of a chain),
+/// side 2 the other; velocities and displacements count in the direction in which side 1 moves.
 struct ContactTrace {
-  std::vector<double> force_N;            ///< at the samples; 0 where the contact is open
-  std::vector<double> running_impulse_Ns; ///< exact integral of the force that acted
-  std::vector<double> indentation_m;      ///< approach of the surfaces beyond first touch; minus the gap where the contact is open
-  std::vector<double> stored_J;           ///< in the contact, comes back if it opens
-  std::vector<double> dissipated_J;       ///< in the contact, so far
+  std::vector<double> force_N;             ///< at the samples; 0 where the contact is open
+  std::vector<double> running_impulse_Ns;  ///< exact integral of the force that acted
+  std::vector<double>
+      indentation_m;  ///< approach of the surfaces beyond first touch; minus the gap where the contact is open
+  std::vector<double> stored_J;      ///< in the contact, comes back if it opens
+  std::vector<double> dissipated_J;  ///< in the contact, so far
   std::vector<bool> in_contact;
   std::vector<double> velocity_1_m_per_s;
   std::vector<double> velocity_2_m_per_s;
@@ -34,9 +35,9 @@ struct ContactInterval {
   bool open_ended = false;  ///< still in contact at the end of the record
 };
 
-/// The periods of contact of a trace, in order. Ends are interpolated where the force is: a period starts at the linear zero of the
-/// indentation before its first sample and ends at the one after its last.
-/// Verified by: tests/lib/contact_trace.test.cpp
+/// The periods of contact of a trace, in order. Ends are interpolated where the force is: a period starts at the linear
+/// zero of the indentation before its first sample and ends at the one after its last. Verified by:
+/// tests/lib/contact_trace.test.cpp
 [[nodiscard]] std::vector<ContactInterval> contact_intervals(const ContactTrace& trace, const UniformGrid& grid);
 
 }  // namespace impulse

@@ -24,7 +24,9 @@ void write_traces(const std::string& path, const UniformGrid& grid, const std::v
     const std::string contact = traces.size() == 1 ? "" : fmt::format("{}", i + 1);
     const std::string number = contact.empty() ? "" : "_" + contact;
     closed.emplace_back(trace.in_contact.begin(), trace.in_contact.end());
-    const auto add = [&](const std::string& name, const std::vector<double>& values) { columns.push_back({name, values}); };
+    const auto add = [&](const std::string& name, const std::vector<double>& values) {
+      columns.push_back({name, values});
+    };
     add(fmt::format("force{}_N", number), trace.force_N);
     add(fmt::format("velocity_{}1_m_per_s", contact), trace.velocity_1_m_per_s);
     add(fmt::format("velocity_{}2_m_per_s", contact), trace.velocity_2_m_per_s);
@@ -45,18 +47,25 @@ void write_intervals(const std::string& path, const UniformGrid& grid, const std
   CsvOutput out(path, {"contact", "start_s", "end_s", "peak_force_N", "peak_time_s", "impulse_Ns"});
   for (std::size_t i = 0; i < traces.size(); ++i)
     for (const ContactInterval& interval : contact_intervals(traces[i], grid))
-      out.row({static_cast<double>(i + 1), interval.start_s, interval.end_s, interval.peak_force_N, interval.peak_time_s, interval.impulse_Ns});
+      out.row({static_cast<double>(i + 1), interval.start_s, interval.end_s, interval.peak_force_N,
+               interval.peak_time_s, interval.impulse_Ns});
   out.close();
 }
 
 namespace {
 
-const std::vector<std::string> summary_names{"peak_force_N", "peak_time_s", "contact_duration_s", "impulse_Ns", "rebound_speed_m_per_s", "energy_error"};
+const std::vector<std::string> summary_names{"peak_force_N", "peak_time_s",           "contact_duration_s",
+                                             "impulse_Ns",   "rebound_speed_m_per_s", "energy_error"};
 
 CsvField optional_field(std::optional<double> value) { return value ? CsvField(*value) : CsvField(); }
 
 std::vector<CsvField> summary_fields(const ImpactSummary& line) {
-  return {line.peak_force_N, line.peak_time_s, line.contact_duration_s, line.impulse_Ns, optional_field(line.rebound_speed_m_per_s), line.energy_error};
+  return {line.peak_force_N,
+          line.peak_time_s,
+          line.contact_duration_s,
+          line.impulse_Ns,
+          optional_field(line.rebound_speed_m_per_s),
+          line.energy_error};
 }
 
 }  // namespace
@@ -67,7 +76,8 @@ void write_summary(const std::string& path, const ImpactSummary& line) {
   out.close();
 }
 
-void write_summary(const std::string& path, const ImpactSummary& line, std::size_t contact_count, std::optional<double> restitution) {
+void write_summary(const std::string& path, const ImpactSummary& line, std::size_t contact_count,
+                   std::optional<double> restitution) {
   std::vector<std::string> names = summary_names;
   names.insert(names.end(), {"contact_count", "restitution"});
   std::vector<CsvField> fields = summary_fields(line);

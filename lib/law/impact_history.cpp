@@ -28,6 +28,7 @@ double contact_end_s(const std::vector<double>& force_N, const UniformGrid& grid
 }
 
 double impulse_Ns(const ImpactHistory& history) {
+  if (history.acted_impulse_Ns) return *history.acted_impulse_Ns;
   const std::vector<double>& force = history.force_N;
   const UniformGrid& grid = history.grid;
   require(force.size() == grid.size, "{} force samples on a grid of {}", force.size(), grid.size);
@@ -42,10 +43,12 @@ double impulse_Ns(const ImpactHistory& history) {
 
 ImpactSummary summary(const ImpactHistory& history, double speed_m_per_s, std::optional<double> mass_1_kg) {
   require(!history.force_N.empty(), "an impact history without samples has no summary");
-  const auto peak = std::max_element(history.force_N.begin(), history.force_N.end());
   ImpactSummary line;
-  line.peak_force_N = *peak;
-  line.peak_time_s = history.grid.time_s(static_cast<std::size_t>(peak - history.force_N.begin()));
+  line.peak_force_N = *std::max_element(history.force_N.begin(), history.force_N.end());
+  // On a plateau the largest sample is rounding's choice; the plateau's first sample is not.
+  const auto reached = std::find_if(history.force_N.begin(), history.force_N.end(),
+                                    [&](double f) { return f >= (1 - 1e-9) * line.peak_force_N; });
+  line.peak_time_s = history.grid.time_s(static_cast<std::size_t>(reached - history.force_N.begin()));
   line.contact_duration_s = history.contact_end_s;
   line.impulse_Ns = impulse_Ns(history);
   if (mass_1_kg) {

@@ -16,18 +16,22 @@ struct ImpactHistory {
   std::vector<double> force_N;             ///< zero after separation
   std::vector<double> velocity_1_m_per_s;  ///< of body 1's contact face
   std::vector<double> velocity_2_m_per_s;
-  bool separated = false;      ///< false: the record ended during contact
-  double contact_end_s = 0;    ///< the linear zero of the force before the first of three successive samples ≤ 0; the record's end if not separated
-  double energy_error = 0;     ///< |∫F(v₁ - v₂)dt| / (V ∫F dt), dimensionless
+  std::optional<double> acted_impulse_Ns =
+      std::nullopt;        ///< ∫F dt of the force that acted, where the method knows it better than the samples tell
+  bool separated = false;  ///< false: the record ended during contact
+  double contact_end_s = 0;  ///< the linear zero of the force before the first of three successive samples ≤ 0; the
+                             ///< record's end if not separated
+  double energy_error = 0;   ///< |∫F(v₁ - v₂)dt| / (V ∫F dt), dimensionless
 };
 
 /// One line about an impact.
 struct ImpactSummary {
   double peak_force_N = 0;
-  double peak_time_s = 0;
+  double peak_time_s = 0;  ///< of the first sample within 1e-9 of the peak
   double contact_duration_s = 0;
   double impulse_Ns = 0;
-  std::optional<double> rebound_speed_m_per_s;  ///< of body 1's centre of mass, V - ∫F dt/m₁; none if the mass is unknown
+  std::optional<double>
+      rebound_speed_m_per_s;  ///< of body 1's centre of mass, V - ∫F dt/m₁; none if the mass is unknown
   double energy_error = 0;
 };
 
@@ -38,10 +42,12 @@ struct ImpactSummary {
 /// Time of the linear zero between samples end-1 and end (end = contact_end_index; the record's end if it is the size).
 [[nodiscard]] double contact_end_s(const std::vector<double>& force_N, const UniformGrid& grid, std::size_t end);
 
-/// Impulse ∫F dt of the history (piecewise linear; a release inside the last interval ends at contact_end_s).
+/// Impulse ∫F dt: acted_impulse_Ns, or that of the piecewise linear samples (a release inside the last interval ends at
+/// contact_end_s).
 [[nodiscard]] double impulse_Ns(const ImpactHistory& history);
 
 /// Verified by: tests/lib/impact_history.test.cpp
-[[nodiscard]] ImpactSummary summary(const ImpactHistory& history, double speed_m_per_s, std::optional<double> mass_1_kg);
+[[nodiscard]] ImpactSummary summary(const ImpactHistory& history, double speed_m_per_s,
+                                    std::optional<double> mass_1_kg);
 
 }  // namespace impulse

@@ -18,7 +18,7 @@ struct Segment {
   [[nodiscard]] double area_a_m2() const;
   [[nodiscard]] double area_b_m2() const;
   [[nodiscard]] double mass_kg() const;
-  [[nodiscard]] double travel_time_s() const;  ///< L/c, c = √(E/ρ)
+  [[nodiscard]] double travel_time_s() const;         ///< L/c, c = √(E/ρ)
   [[nodiscard]] double impedance_a_kg_per_s() const;  ///< Z = A√(Eρ) at end A
   [[nodiscard]] double impedance_b_kg_per_s() const;
 };
@@ -47,7 +47,8 @@ struct Bar {
 [[nodiscard]] double face_impedance_kg_per_s(const Profile& profile, Face face);
 
 /// @throws std::invalid_argument naming the segment (from 1) and the value, if the chain is empty, a length, diameter,
-/// modulus or density is not positive and finite, a face is repeated or absent, or two faces have a far end other than free.
+/// modulus or density is not positive and finite, a face is repeated or absent, or two faces have a far end other than
+/// free.
 void require_valid(const Bar& bar);
 
 /// Reads `L,D,MATERIAL` (cylinder) or `L,D1,D2,MATERIAL` (cone) with units, `400mm,30mm,75mm,nylon-6`.

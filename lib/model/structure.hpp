@@ -5,15 +5,17 @@
 
 namespace impulse {
 
-/// A linear elastic body after discretisation, M ü + C u̇ + K u = Σᵢ cᵢ Fᵢ; fixed degrees of freedom are already removed.
-/// What every finite-element or Ritz body becomes: whoever fills it gets modes, responses and time integration.
+/// A linear elastic body after discretisation, M ü + C u̇ + K u = Σᵢ cᵢ Fᵢ; fixed degrees of freedom are already
+/// removed. What every finite-element or Ritz body becomes: whoever fills it gets modes, responses and time
+/// integration.
 struct Structure {
   Eigen::SparseMatrix<double> stiffness;  ///< K, n × n, symmetric positive semidefinite [N/m]
   Eigen::SparseMatrix<double> mass;       ///< M, n × n, symmetric positive definite [kg]
   Eigen::VectorXd dashpots;               ///< diagonal of C [kg/s]; empty if there are none
-  Eigen::MatrixXd contacts;               ///< n × p; column i is cᵢ: cᵢᵀu is the displacement *in the direction of the force* (into the body)
-  Eigen::MatrixXd outputs;                ///< n × q functionals of the displacement, for reports
-  Eigen::MatrixXd wave_admittance;        ///< p × p, H(0+) of the continuous body [m/(N s)]; zero where it has none
+  Eigen::MatrixXd
+      contacts;  ///< n × p; column i is cᵢ: cᵢᵀu is the displacement *in the direction of the force* (into the body)
+  Eigen::MatrixXd outputs;          ///< n × q functionals of the displacement, for reports
+  Eigen::MatrixXd wave_admittance;  ///< p × p, H(0+) of the continuous body [m/(N s)]; zero where it has none
 };
 
 }  // namespace impulse

@@ -21,10 +21,11 @@ UniformGrid grid_over(double duration_s, double step_s) {
   require(std::isfinite(duration_s) && duration_s >= step_s,
           "duration {:.6g} s is shorter than one step of {:.6g} s; use a shorter step", duration_s, step_s);
   const double intervals = std::round(duration_s / step_s);
-  require(intervals < most_samples,
-          "duration {:.6g} s by step {:.6g} s makes {:.3g} samples (more than 2^25, {:.2g}, do not fit in memory); use a "
-          "longer step or a shorter duration",
-          duration_s, step_s, intervals, most_samples);
+  require(
+      intervals < most_samples,
+      "duration {:.6g} s by step {:.6g} s makes {:.3g} samples (more than 2^25, {:.2g}, do not fit in memory); use a "
+      "longer step or a shorter duration",
+      duration_s, step_s, intervals, most_samples);
   return {step_s, static_cast<std::size_t>(intervals) + 1};
 }
 

@@ -12,10 +12,10 @@ namespace impulse {
 ///
 ///   history(n) = Σ_{k<n} w_{n-k} x_k,    n = 0 .. size-1, asked in that order, each followed by push(x_n).
 ///
-/// Relaxed (block) scheme: when a dyadic block of x is complete, its contribution to the next block of the same length is added by
-/// one cyclic transform against the kernel's spectrum, computed once per block length. Cost O(N log² N), memory linear.
-/// The last samples within a block of `block_size` are summed directly.
-/// Verified by: tests/lib/causal_convolution.test.cpp
+/// Relaxed (block) scheme: when a dyadic block of x is complete, its contribution to the next block of the same length
+/// is added by one cyclic transform against the kernel's spectrum, computed once per block length. Cost O(N log² N),
+/// memory linear. The last samples within a block of `block_size` are summed directly. Verified by:
+/// tests/lib/causal_convolution.test.cpp
 class CausalConvolution {
  public:
   static constexpr std::size_t block_size = 128;

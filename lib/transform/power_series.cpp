@@ -15,7 +15,8 @@ std::size_t fft_index(std::size_t length) { return static_cast<std::size_t>(std:
 void load(std::span<const double> from, std::size_t count, RealBuffer& time, std::size_t length) {
   const std::size_t available = std::min(count, from.size());
   std::copy_n(from.begin(), available, time.begin());
-  std::fill(time.begin() + static_cast<std::ptrdiff_t>(available), time.begin() + static_cast<std::ptrdiff_t>(length), 0.0);
+  std::fill(time.begin() + static_cast<std::ptrdiff_t>(available), time.begin() + static_cast<std::ptrdiff_t>(length),
+            0.0);
 }
 
 /// Product of two spectra over the transform's length, which inverse_sum leaves out.
@@ -77,7 +78,8 @@ void PowerSeriesDivision::divide_once(std::span<const double> b, std::span<const
   fft.inverse_sum(work_spectrum_, time_);
   std::copy_n(time_.begin(), std::min(half, size_), x.begin());
   if (size_ <= half) return;
-  // Second half: (b - w·x_low) / w. The product's wrap-around lands in the first half, where it equals b and is not needed.
+  // Second half: (b - w·x_low) / w. The product's wrap-around lands in the first half, where it equals b and is not
+  // needed.
   std::fill_n(time_.begin() + static_cast<std::ptrdiff_t>(half), half, 0.0);
   fft.forward(time_, work_spectrum_);
   load(w, length_, time_, length_);
@@ -89,7 +91,8 @@ void PowerSeriesDivision::divide_once(std::span<const double> b, std::span<const
   fft.forward(time_, work_spectrum_);
   multiply(work_spectrum_, reciprocal_spectrum_, fft);
   fft.inverse_sum(work_spectrum_, time_);
-  std::copy_n(time_.begin() + static_cast<std::ptrdiff_t>(half), size_ - half, x.begin() + static_cast<std::ptrdiff_t>(half));
+  std::copy_n(time_.begin() + static_cast<std::ptrdiff_t>(half), size_ - half,
+              x.begin() + static_cast<std::ptrdiff_t>(half));
 }
 
 double PowerSeriesDivision::residual(std::span<const double> b, std::span<const double> x, std::span<double> r) {
@@ -109,7 +112,8 @@ double PowerSeriesDivision::residual(std::span<const double> b, std::span<const 
 
 PowerSeriesDivision::Result PowerSeriesDivision::divide(std::span<const double> b, std::span<const double> w,
                                                         double tolerance) {
-  require(b.size() == size_ && w.size() == size_, "division set up for {} terms got {} and {}", size_, b.size(), w.size());
+  require(b.size() == size_ && w.size() == size_, "division set up for {} terms got {} and {}", size_, b.size(),
+          w.size());
   require(w[0] != 0, "the first coefficient of the divisor is 0, so the quotient is not a power series");
   Result result;
   result.quotient.resize(size_);

@@ -61,15 +61,15 @@ RealFft::RealFft(std::size_t size, Planning planning) : size_(size) {
 }
 
 void RealFft::forward(const RealBuffer& time, ComplexBuffer& spectrum) const {
-  require(time.size() >= size_ && spectrum.size() >= spectrum_size(), "transform of length {} needs buffers of {} and {}",
-          size_, size_, spectrum_size());
+  require(time.size() >= size_ && spectrum.size() >= spectrum_size(),
+          "transform of length {} needs buffers of {} and {}", size_, size_, spectrum_size());
   // FFTW's r2c leaves its input alone (out of place, 1-D), but takes it as non-const.
   fftw_execute_dft_r2c(plans_->forward, const_cast<double*>(time.data()), fftw_pointer(spectrum.data()));
 }
 
 void RealFft::inverse_sum(ComplexBuffer& spectrum, RealBuffer& time) const {
-  require(time.size() >= size_ && spectrum.size() >= spectrum_size(), "transform of length {} needs buffers of {} and {}",
-          size_, size_, spectrum_size());
+  require(time.size() >= size_ && spectrum.size() >= spectrum_size(),
+          "transform of length {} needs buffers of {} and {}", size_, size_, spectrum_size());
   fftw_execute_dft_c2r(plans_->inverse, fftw_pointer(spectrum.data()), time.data());
 }
 

@@ -1,4 +1,5 @@
-// The impulse-response method and explicit finite elements, which share no code beyond lib/, on the four published cases and others.
+// The impulse-response method and explicit finite elements, which share no code beyond lib/, on the four published
+// cases and others.
 #include "fem/bodies/bar_structure.hpp"
 #include "fem/bodies/dispersion_correction.hpp"
 #include "fem/explicit/explicit_impact.hpp"
@@ -28,16 +29,24 @@ const Case cases[] = {{"TCA", bars::cone(Face::a), 1.16},
 
 ImpactHistory by_waves(const Case& c, double step, double duration = 1e-3) {
   const UniformGrid grid = grid_over(duration, step);
-  return solve_contact(wave_response(c.projectile, grid), wave_response(bars::long_rod(), grid), {c.speed}, ContactMethod::product);
+  return solve_contact(wave_response(c.projectile, grid), wave_response(bars::long_rod(), grid), {c.speed},
+                       ContactMethod::product);
 }
 
-ExplicitImpactResult by_elements(const Case& c, double step, std::size_t subcycles, Matching matching = Matching::direct) {
-  return explicit_impact(bar_structure(c.projectile, bar_mesh_by_step(c.projectile, step / static_cast<double>(subcycles))),
-                         bar_structure(bars::long_rod(), bar_mesh_by_step(bars::long_rod(), step)),
-                         {.speed_m_per_s = c.speed, .step_s = step, .projectile_subcycles = subcycles, .duration_s = 1e-3, .matching = matching});
+ExplicitImpactResult by_elements(const Case& c, double step, std::size_t subcycles,
+                                 Matching matching = Matching::direct) {
+  return explicit_impact(
+      bar_structure(c.projectile, bar_mesh_by_step(c.projectile, step / static_cast<double>(subcycles))),
+      bar_structure(bars::long_rod(), bar_mesh_by_step(bars::long_rod(), step)),
+      {.speed_m_per_s = c.speed,
+       .step_s = step,
+       .projectile_subcycles = subcycles,
+       .duration_s = 1e-3,
+       .matching = matching});
 }
 
-/// Times at which the force jumps: fronts of the projectile that return to its face (the rod's echo comes later), and their repetitions.
+/// Times at which the force jumps: fronts of the projectile that return to its face (the rod's echo comes later), and
+/// their repetitions.
 std::vector<double> jump_times(const Case& c) {
   std::vector<double> round_trips;
   for (const Segment& s : c.projectile.profile) round_trips.push_back(2 * s.travel_time_s());
@@ -50,9 +59,12 @@ std::vector<double> jump_times(const Case& c) {
   return times;
 }
 
-double difference(const ImpactHistory& reference, const ImpactHistory& other, std::vector<double> jumps, std::size_t leave_out) {
+double difference(const ImpactHistory& reference, const ImpactHistory& other, std::vector<double> jumps,
+                  std::size_t leave_out) {
   const UniformSeries force{reference.grid, reference.force_N};
-  return series_difference(force, {other.grid, other.force_N}, {first_contact_end_s(force), std::move(jumps), leave_out}).relative_l2;
+  return series_difference(force, {other.grid, other.force_N},
+                           {first_contact_end_s(force), std::move(jumps), leave_out})
+      .relative_l2;
 }
 
 }  // namespace
@@ -71,7 +83,9 @@ TEST_CASE("cross: the difference between the methods shrinks as both refine") {
   for (const Case& c : cases) {
     CAPTURE(c.id);
     // Jumps fall anywhere within a step, so single steps are irregular; over a factor of 16 the trend is not.
-    const auto apart = [&](double step) { return difference(by_waves(c, step), by_elements(c, step, 1).history, {}, 0); };
+    const auto apart = [&](double step) {
+      return difference(by_waves(c, step), by_elements(c, step, 1).history, {}, 0);
+    };
     const double finest = apart(0.25e-6);
     CHECK(finest < 0.8 * apart(4e-6));
     CHECK(finest < 0.03);  // at the jumps, which each method smears in its own way
@@ -85,7 +99,8 @@ TEST_CASE("cross: bisection and direct matching agree to 1e-9 of the peak, subcy
       const ImpactHistory bisected = by_elements(c, 4e-6, subcycles, Matching::bisection).history;
       const double peak = *std::max_element(direct.force_N.begin(), direct.force_N.end());
       double largest = 0;
-      for (std::size_t k = 0; k < direct.force_N.size(); ++k) largest = std::max(largest, std::abs(direct.force_N[k] - bisected.force_N[k]));
+      for (std::size_t k = 0; k < direct.force_N.size(); ++k)
+        largest = std::max(largest, std::abs(direct.force_N[k] - bisected.force_N[k]));
       CHECK(largest < 1e-9 * peak);
     }
 }
@@ -101,13 +116,14 @@ TEST_CASE("cross: momentum of the elements is the impulse to rounding") {
 }
 
 TEST_CASE("cross: momentum summed over the nodes of a modal body is the impulse of the contact equation's force") {
-  // Each mode of a finite-element cone is driven by the piecewise linear force with its exact recurrence; its nodal velocities, weighed with
-  // the nodal masses, must carry what the force gave.
+  // Each mode of a finite-element cone is driven by the piecewise linear force with its exact recurrence; its nodal
+  // velocities, weighed with the nodal masses, must carry what the force gave.
   const Bar bar = bars::cone();
   const Structure structure = bar_structure(bar, bar_mesh_by_count(bar, 40));
   const UniformGrid grid = grid_over(1e-3, 2e-6);
   const Response projectile = modal_response(modal_model(structure), grid);
-  const ImpactHistory history = solve_contact(projectile, wave_response(bars::long_rod(), grid), {1.16}, ContactMethod::product);
+  const ImpactHistory history =
+      solve_contact(projectile, wave_response(bars::long_rod(), grid), {1.16}, ContactMethod::product);
 
   const Eigen::MatrixXd m(structure.mass);
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> modes(Eigen::MatrixXd(structure.stiffness), m);

@@ -17,7 +17,8 @@ TEST_CASE("bar_modes: a cylinder's frequencies and participations in closed form
     const ModalModel model = exact_bar_modes(bar, {.count = 200});
     REQUIRE(model.mode_count() == 200);
     for (Eigen::Index n = 0; n < 200; ++n) {
-      const double expected = far_end == FarEnd::free ? pi * static_cast<double>(n) / tau : pi * (static_cast<double>(n) + 0.5) / tau;
+      const double expected =
+          far_end == FarEnd::free ? pi * static_cast<double>(n) / tau : pi * (static_cast<double>(n) + 0.5) / tau;
       CHECK(model.angular_frequency(n) == doctest::Approx(expected).epsilon(1e-12));
       CHECK(std::pow(model.participation(n, 0), 2) == doctest::Approx((expected == 0 ? 1 : 2) / m).epsilon(1e-12));
     }
@@ -41,9 +42,13 @@ TEST_CASE("bar_modes: a free cone obeys tan kL = kL·... of its two ends") {
 
 TEST_CASE("bar_modes: participations of a composite chain add up to its static flexibility") {
   for (Face face : {Face::a, Face::b}) {
-    Bar bar{{parse_segment("125mm,32mm,nylon-6"), parse_segment("80mm,20mm,35mm,aluminium"), parse_segment("60mm,15mm,steel")}, {face}, FarEnd::fixed};
+    Bar bar{{parse_segment("125mm,32mm,nylon-6"), parse_segment("80mm,20mm,35mm,aluminium"),
+             parse_segment("60mm,15mm,steel")},
+            {face},
+            FarEnd::fixed};
     double flexibility = 0;
-    for (const Segment& s : bar.profile) flexibility += s.length_m / (s.material.youngs_modulus_Pa * pi / 4 * s.diameter_a_m * s.diameter_b_m);
+    for (const Segment& s : bar.profile)
+      flexibility += s.length_m / (s.material.youngs_modulus_Pa * pi / 4 * s.diameter_a_m * s.diameter_b_m);
     const auto sum = [&](std::size_t count) {
       const ModalModel model = exact_bar_modes(bar, {.count = count});
       return (model.participation.col(0).array() / model.angular_frequency.array()).square().sum();
@@ -55,7 +60,9 @@ TEST_CASE("bar_modes: participations of a composite chain add up to its static f
 }
 
 TEST_CASE("bar_modes: no mode is missed between very unlike segments") {
-  const Bar bar{{parse_segment("1m,100mm,steel"), parse_segment("2mm,1mm,nylon-6"), parse_segment("1m,100mm,steel")}, {Face::a, Face::b}, FarEnd::free};
+  const Bar bar{{parse_segment("1m,100mm,steel"), parse_segment("2mm,1mm,nylon-6"), parse_segment("1m,100mm,steel")},
+                {Face::a, Face::b},
+                FarEnd::free};
   const ModalModel model = exact_bar_modes(bar, {.count = 21});
   // Two heavy rods on a thread: each rod's own modes in nearly equal pairs.
   const double alone = pi / travel_time_s({bar.profile[0]});
@@ -75,7 +82,10 @@ TEST_CASE("bar_modes: the range ends at the highest frequency") {
 }
 
 TEST_CASE("bar_modes: refuses an infinite bar and an endless range") {
-  CHECK_THROWS_WITH_AS(static_cast<void>(exact_bar_modes(bars::steel_rod(1, FarEnd::infinite), {.count = 3})), doctest::Contains("infinite bar has no modes"), std::invalid_argument);
-  CHECK_THROWS_WITH_AS(static_cast<void>(exact_bar_modes(bars::steel_rod(1), {})), doctest::Contains("infinitely many modes"), std::invalid_argument);
-  CHECK_THROWS_WITH_AS(static_cast<void>(exact_bar_modes(bars::steel_rod(1), {.highest_frequency_Hz = 1e15})), doctest::Contains("3.89e+11 modes"), std::invalid_argument);
+  CHECK_THROWS_WITH_AS(static_cast<void>(exact_bar_modes(bars::steel_rod(1, FarEnd::infinite), {.count = 3})),
+                       doctest::Contains("infinite bar has no modes"), std::invalid_argument);
+  CHECK_THROWS_WITH_AS(static_cast<void>(exact_bar_modes(bars::steel_rod(1), {})),
+                       doctest::Contains("infinitely many modes"), std::invalid_argument);
+  CHECK_THROWS_WITH_AS(static_cast<void>(exact_bar_modes(bars::steel_rod(1), {.highest_frequency_Hz = 1e15})),
+                       doctest::Contains("3.89e+11 modes"), std::invalid_argument);
 }

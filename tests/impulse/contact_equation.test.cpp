@@ -31,8 +31,8 @@ double sample(const ImpactHistory& history, double time_s) {
 
 /// A smooth kernel without jumps: an elastic body of a few modes on a mass, with a residual flexibility if asked for.
 Response smooth_response(const UniformGrid& grid, double residual) {
-  ModalModel body{Eigen::VectorXd(4), Eigen::VectorXd::Constant(4, 0.01), Eigen::MatrixXd::Ones(4, 1), Eigen::MatrixXd::Constant(1, 1, residual),
-                  Eigen::MatrixXd::Zero(1, 1)};
+  ModalModel body{Eigen::VectorXd(4), Eigen::VectorXd::Constant(4, 0.01), Eigen::MatrixXd::Ones(4, 1),
+                  Eigen::MatrixXd::Constant(1, 1, residual), Eigen::MatrixXd::Zero(1, 1)};
   body.angular_frequency << 0, 2000, 5000, 11000;
   body.damping_ratio(0) = 0;
   return modal_response(body, grid);
@@ -43,7 +43,8 @@ Response smooth_response(const UniformGrid& grid, double residual) {
 TEST_CASE("contact_equation: TCA, exact values to the digits known") {
   const ImpactHistory tca = by_waves(bars::cone(), bars::long_rod(), 1.16, grid_over(1.1e-3, 1e-6));
   CHECK(tca.force_N[0] == doctest::Approx(1048.416001434).epsilon(1e-12));
-  const double expected[][2] = {{118e-6, 1516.266007}, {355e-6, 2216.869017}, {545e-6, 1047.522209}, {782e-6, 672.485290}};
+  const double expected[][2] = {
+      {118e-6, 1516.266007}, {355e-6, 2216.869017}, {545e-6, 1047.522209}, {782e-6, 672.485290}};
   // Δt²F''/6 and what the jump's samples leave behind: at most 5e-6.
   for (const auto& [time, force] : expected) CHECK(sample(tca, time) == doctest::Approx(force).epsilon(5e-6));
   CHECK(tca.separated);
@@ -67,7 +68,8 @@ TEST_CASE("contact_equation: order 2 in the step, before and after a jump betwee
     CAPTURE(time);
     std::vector<double> error;
     for (double step : {10e-6, 5e-6, 2.5e-6, 1.25e-6}) {
-      const ImpactHistory tca = by_waves(bars::cone(), bars::long_rod(), 1.16, {step, static_cast<std::size_t>(900e-6 / step) + 1});
+      const ImpactHistory tca =
+          by_waves(bars::cone(), bars::long_rod(), 1.16, {step, static_cast<std::size_t>(900e-6 / step) + 1});
       const double x = time / step;
       const auto k = static_cast<std::size_t>(x + 1e-9);
       const double f = x - static_cast<double>(k);
@@ -107,11 +109,14 @@ TEST_CASE("contact_equation: CCA and CCB are the exact staircases, five samples 
       exact_peak = std::max(exact_peak, exact);
     }
     CHECK(std::sqrt(difference / norm) < 1e-3);
-    CHECK(largest_far < 1e-7 * jumps[0].second);  // what a jump spoils spreads by a sample with each echo, and dies away
+    CHECK(largest_far <
+          1e-7 * jumps[0].second);  // what a jump spoils spreads by a sample with each echo, and dies away
     CHECK(peak == doctest::Approx(exact_peak).epsilon(1e-9));
   }
-  CHECK(impulse_Ns(by_waves(bars::composite(), bars::long_rod(), 0.92, grid_over(1e-3, 1e-6))) == doctest::Approx(0.825925167).epsilon(1e-4));
-  CHECK(impulse_Ns(by_waves(bars::composite(), bars::long_rod(), 0.92, grid_over(1e-3, 1e-7))) == doctest::Approx(0.825925167).epsilon(1e-5));
+  CHECK(impulse_Ns(by_waves(bars::composite(), bars::long_rod(), 0.92, grid_over(1e-3, 1e-6))) ==
+        doctest::Approx(0.825925167).epsilon(1e-4));
+  CHECK(impulse_Ns(by_waves(bars::composite(), bars::long_rod(), 0.92, grid_over(1e-3, 1e-7))) ==
+        doctest::Approx(0.825925167).epsilon(1e-5));
 }
 
 TEST_CASE("contact_equation: St Venant's rods") {
@@ -137,14 +142,30 @@ TEST_CASE("contact_equation: St Venant's rods") {
   }
 }
 
+TEST_CASE("contact_equation: a release that is a jump keeps its impulse, on a sample and between samples") {
+  const Bar bar = bars::steel_rod(0.4);
+  const double round_trip = 2 * travel_time_s(bar.profile);
+  const double exact = mass_kg(bar.profile);  // equal rods exchange their speeds
+  for (double steps : {8.0, 64.0, 1000.0}) {
+    const ImpactHistory history = by_waves(bar, bar, 1, grid_over(1.5 * round_trip, round_trip / steps));
+    CHECK(impulse_Ns(history) == doctest::Approx(exact).epsilon(1e-11));
+  }
+  for (double steps : {80.3, 800.7}) {
+    const ImpactHistory history = by_waves(bar, bar, 1, grid_over(1.5 * round_trip, round_trip / steps));
+    CHECK(impulse_Ns(history) == doctest::Approx(exact).epsilon(1 / steps));
+  }
+}
+
 TEST_CASE("contact_equation: a rigid mass on a long rod decays as exp(-Zt/m)") {
   const Bar rod = bars::steel_rod(1, FarEnd::infinite);
   const double z = face_impedance_kg_per_s(rod.profile, Face::a);
   const UniformGrid grid = grid_over(500e-6, 1e-6);
-  const ImpactHistory history = solve_contact(mass_response(0.5, grid), wave_response(rod, grid), {2}, ContactMethod::product);
+  const ImpactHistory history =
+      solve_contact(mass_response(0.5, grid), wave_response(rod, grid), {2}, ContactMethod::product);
   // (Δt Z/m)²/6 = 7e-6; the last sample is extrapolated.
   for (std::size_t k = 0; k < grid.size; ++k)
-    CHECK(history.force_N[k] == doctest::Approx(2 * z * std::exp(-z * grid.time_s(k) / 0.5)).epsilon(k + 1 < grid.size ? 1e-5 : 3e-5));
+    CHECK(history.force_N[k] ==
+          doctest::Approx(2 * z * std::exp(-z * grid.time_s(k) / 0.5)).epsilon(k + 1 < grid.size ? 1e-5 : 3e-5));
   CHECK_FALSE(history.separated);
   CHECK(history.contact_end_s == grid.duration_s());
 }
@@ -157,19 +178,22 @@ TEST_CASE("contact_equation: the thesis' method, exact modes up to the Nyquist f
   const Case cases[] = {{bars::composite(Face::a), 0.92, 10e-6}, {bars::composite(Face::b), 1.01, 7.5e-6}};
   for (const Case& c : cases) {
     const Profile seen = c.projectile.faces[0] == Face::a ? c.projectile.profile : reversed(c.projectile.profile);
-    const auto jumps = two_delays::jumps(seen, face_impedance_kg_per_s(bars::long_rod().profile, Face::a), c.speed, 1e-3);
+    const auto jumps =
+        two_delays::jumps(seen, face_impedance_kg_per_s(bars::long_rod().profile, Face::a), c.speed, 1e-3);
     const double end = c.speed == 0.92 ? 789.230551e-6 : 666.58e-6;
     const struct { double step, l2; } levels[] = {{c.thesis_step, 0.05}, {end / 1000, 0.015}, {end / 10000, 0.005}};
     for (const auto& level : levels) {
       CAPTURE(level.step);
       const UniformGrid grid{level.step, static_cast<std::size_t>(1e-3 / level.step) + 1};
-      const ImpactHistory history = solve_contact(modal(c.projectile, grid), modal(bars::long_rod(), grid), {c.speed}, ContactMethod::trapezoidal);
+      const ImpactHistory history = solve_contact(modal(c.projectile, grid), modal(bars::long_rod(), grid), {c.speed},
+                                                  ContactMethod::trapezoidal);
       // Jumps included: the piecewise linear force against the staircase.
       double difference = 0, norm = 0;
       for (double t = 5e-9; t < end; t += 10e-9) {
         const double x = t / level.step;
         const auto k = static_cast<std::size_t>(x);
-        const double force = history.force_N[k] + (x - static_cast<double>(k)) * (history.force_N[k + 1] - history.force_N[k]);
+        const double force =
+            history.force_N[k] + (x - static_cast<double>(k)) * (history.force_N[k + 1] - history.force_N[k]);
         const double exact = two_delays::force_at(jumps, t);
         difference += std::pow(force - exact, 2);
         norm += exact * exact;
@@ -178,16 +202,21 @@ TEST_CASE("contact_equation: the thesis' method, exact modes up to the Nyquist f
     }
   }
   const UniformGrid grid = grid_over(1e-3, 0.9478e-6);
-  const ImpactHistory tca = solve_contact(modal(bars::cone(), grid), modal(bars::long_rod(), grid), {1.16}, ContactMethod::trapezoidal);
+  const ImpactHistory tca =
+      solve_contact(modal(bars::cone(), grid), modal(bars::long_rod(), grid), {1.16}, ContactMethod::trapezoidal);
   CHECK(impulse_Ns(tca) == doctest::Approx(1.287913769).epsilon(3e-4));
 }
 
 TEST_CASE("contact_equation: the solvers agree with forward substitution on smooth kernels") {
   const UniformGrid grid = grid_over(2e-3, 1e-6);
   const Bar horn{{parse_segment("3m,20mm,60mm,aluminium")}, {Face::a}, FarEnd::infinite};
-  const struct { Response a, b; } pairs[] = {{mass_response(3, grid), wave_response(horn, grid)}, {smooth_response(grid, 2e-9), mass_response(3, grid)}};
+  const struct {
+    Response a, b;
+  } pairs[] = {{mass_response(3, grid), wave_response(horn, grid)},
+               {smooth_response(grid, 2e-9), mass_response(3, grid)}};
   for (const auto& [a, b] : pairs) {
-    // The direct twins, straight from the definition: means of steps where the force can jump, else samples from F_0 = 0.
+    // The direct twins, straight from the definition: means of steps where the force can jump, else samples from F_0 =
+    // 0.
     const bool jumps = a.pair(0, 0).step_displacement_m_per_N[0] == 0;
     std::vector<double> w(grid.size - 1);
     for (const Response* body : {&a, &b}) {
@@ -198,7 +227,8 @@ TEST_CASE("contact_equation: the solvers agree with forward substitution on smoo
     }
     const std::vector<double> x = direct::toeplitz_solution(w, std::vector<double>(w.size(), 1.0));
     std::vector<double> twin(grid.size);
-    for (std::size_t n = 1; n < grid.size; ++n) twin[n] = jumps && n < x.size() ? 0.5 * (x[n - 1] + x[n]) : jumps ? 1.5 * x[n - 1] - 0.5 * x[n - 2] : x[n - 1];
+    for (std::size_t n = 1; n < grid.size; ++n)
+      twin[n] = jumps && n < x.size() ? 0.5 * (x[n - 1] + x[n]) : jumps ? 1.5 * x[n - 1] - 0.5 * x[n - 2] : x[n - 1];
     twin[0] = jumps ? 1 / b.pair(0, 0).step_velocity_m_per_Ns[0] : 0;
     const std::size_t end = contact_end_index(twin);
     std::fill(twin.begin() + static_cast<std::ptrdiff_t>(end), twin.end(), 0.0);
@@ -234,7 +264,8 @@ TEST_CASE("contact_equation: faces keep together, energy error falls with the st
   for (double step : {2e-6, 1e-6, 0.5e-6}) {
     const ImpactHistory tca = by_waves(bars::cone(), bars::long_rod(), 1.16, grid_over(900e-6, step));
     double apart = 0;
-    for (std::size_t k = 1; k + 1 < tca.grid.size; ++k) apart = std::max(apart, std::abs(tca.velocity_1_m_per_s[k] - tca.velocity_2_m_per_s[k]));
+    for (std::size_t k = 1; k + 1 < tca.grid.size; ++k)
+      apart = std::max(apart, std::abs(tca.velocity_1_m_per_s[k] - tca.velocity_2_m_per_s[k]));
     CHECK(apart < 1e-11 * 1.16);
     CHECK(tca.energy_error < 1e-3);
     if (before > 0) CHECK(tca.energy_error < 0.75 * before);
@@ -259,24 +290,32 @@ TEST_CASE("contact_equation: linear in the speed, indifferent to which body is c
 
 TEST_CASE("contact_equation: refuses rigid masses on each other") {
   const UniformGrid grid = grid_over(1e-4, 1e-6);
-  CHECK_THROWS_WITH_AS((void)solve_contact(mass_response(1, grid), mass_response(2, grid), {1}, ContactMethod::product), doctest::Contains("both bodies are rigid"),
-                       std::invalid_argument);
+  CHECK_THROWS_WITH_AS((void)solve_contact(mass_response(1, grid), mass_response(2, grid), {1}, ContactMethod::product),
+                       doctest::Contains("both bodies are rigid"), std::invalid_argument);
 }
 
 TEST_CASE("contact_equation: refuses what it can't resolve and names what works") {
   const UniformGrid grid = grid_over(1e-3, 10e-6);
   const Response rod = wave_response(bars::long_rod(), grid);
   const Response cone = wave_response(bars::cone(), grid);
-  const auto solve = [&](const Response& a, const Response& b, double v, ContactMethod m) { static_cast<void>(solve_contact(a, b, {v}, m)); };
-  CHECK_THROWS_WITH_AS(solve(cone, rod, 1, ContactMethod::trapezoidal), doctest::Contains("use --method product"), std::invalid_argument);
-  CHECK_THROWS_WITH_AS(solve(cone, rod, 0, ContactMethod::product), doctest::Contains("speed 0 m/s is not positive"), std::invalid_argument);
-  CHECK_THROWS_WITH_AS(solve(cone, wave_response(bars::long_rod(), grid_over(1e-3, 5e-6)), 1, ContactMethod::product), doctest::Contains("different grids"), std::invalid_argument);
+  const auto solve = [&](const Response& a, const Response& b, double v, ContactMethod m) {
+    static_cast<void>(solve_contact(a, b, {v}, m));
+  };
+  CHECK_THROWS_WITH_AS(solve(cone, rod, 1, ContactMethod::trapezoidal), doctest::Contains("use --method product"),
+                       std::invalid_argument);
+  CHECK_THROWS_WITH_AS(solve(cone, rod, 0, ContactMethod::product), doctest::Contains("speed 0 m/s is not positive"),
+                       std::invalid_argument);
+  CHECK_THROWS_WITH_AS(solve(cone, wave_response(bars::long_rod(), grid_over(1e-3, 5e-6)), 1, ContactMethod::product),
+                       doctest::Contains("different grids"), std::invalid_argument);
   // Three times the modes that the step resolves: the step that works is named.
   const Response fine = modal_response(exact_bar_modes(bars::long_rod(), {.highest_frequency_Hz = 150e3}), grid);
-  CHECK_THROWS_WITH_AS(solve(modal(bars::cone(), grid), fine, 1, ContactMethod::trapezoidal), doctest::Contains("or a step of 3.3"), std::invalid_argument);
+  CHECK_THROWS_WITH_AS(solve(modal(bars::cone(), grid), fine, 1, ContactMethod::trapezoidal),
+                       doctest::Contains("or a step of 3.3"), std::invalid_argument);
   Response broken = rod;
   broken.pair(0, 0).step_displacement_m_per_N[5] = NAN;
-  CHECK_THROWS_WITH_AS(solve(cone, broken, 1, ContactMethod::product), doctest::Contains("holds nan at sample 5"), std::invalid_argument);
+  CHECK_THROWS_WITH_AS(solve(cone, broken, 1, ContactMethod::product), doctest::Contains("holds nan at sample 5"),
+                       std::invalid_argument);
   for (double& u : broken.pair(0, 0).step_displacement_m_per_N) u = -1;
-  CHECK_THROWS_WITH_AS(solve(cone, broken, 1, ContactMethod::product), doctest::Contains("not a passive response"), std::invalid_argument);
+  CHECK_THROWS_WITH_AS(solve(cone, broken, 1, ContactMethod::product), doctest::Contains("not a passive response"),
+                       std::invalid_argument);
 }

@@ -13,7 +13,10 @@ namespace {
 /// Weights of U = t/Z + t²/(2m): a sphere of mass m on a semi-infinite rod of impedance Z.
 std::vector<double> sphere_on_rod(double m, double z, const UniformGrid& grid) {
   std::vector<double> w(grid.size - 1);
-  const auto u = [&](double k) { const double t = k * grid.step_s; return (std::isinf(z) ? 0 : t / z) + t * t / (2 * m); };
+  const auto u = [&](double k) {
+    const double t = k * grid.step_s;
+    return (std::isinf(z) ? 0 : t / z) + t * t / (2 * m);
+  };
   w[0] = u(1) / grid.step_s;
   for (std::size_t k = 1; k < w.size(); ++k) {
     const double x = static_cast<double>(k);
@@ -46,7 +49,8 @@ TEST_CASE("contact_march: a mass on a spring: V√(km) after a quarter period, t
   std::vector<double> error;
   for (double step : {8e-6, 4e-6, 2e-6, 1e-6}) {
     const UniformGrid grid = grid_over(2e-3, step);
-    const auto result = march_contacts(grid, {struck(ContactLaw::linear(k), speed, grid)}, {sphere_on_rod(m, HUGE_VAL, grid)}, Recontact::no);
+    const auto result = march_contacts(grid, {struck(ContactLaw::linear(k), speed, grid)},
+                                       {sphere_on_rod(m, HUGE_VAL, grid)}, Recontact::no);
     error.push_back(std::abs(peak_of(result[0].force_N, step).first / (speed * std::sqrt(k * m)) - 1));
     // Elastic: it leaves with the speed it came with.
     const double impulse = step * std::accumulate(result[0].mean_force_N.begin(), result[0].mean_force_N.end(), 0.0);
@@ -58,9 +62,11 @@ TEST_CASE("contact_march: a mass on a spring: V√(km) after a quarter period, t
 }
 
 TEST_CASE("contact_march: sphere on a semi-infinite rod, every row of the small-mass table") {
-  // σ'' + (1 + λ d/dτ) σ^1.5 = 0: restitution e, peak F̂, its time and the end, F = F̂ M V/ts, ts = (M/(k√V))^0.4, λ = M/(ts Z).
-  const double table[][5] = {{0, 1, 1.14326, 1.60903, 3.2181},        {0.1, 0.84334, 1.03554, 1.56823, 3.2785}, {0.25, 0.65765, 0.90678, 1.51410, 3.3876},
-                             {0.5, 0.43689, 0.75022, 1.43811, 3.6244}, {1, 0.18412, 0.55615, 1.32128, 4.3876},   {1.5, 0.06640, 0.44087, 1.23346, 5.8363},
+  // σ'' + (1 + λ d/dτ) σ^1.5 = 0: restitution e, peak F̂, its time and the end, F = F̂ M V/ts, ts = (M/(k√V))^0.4, λ =
+  // M/(ts Z).
+  const double table[][5] = {{0, 1, 1.14326, 1.60903, 3.2181},          {0.1, 0.84334, 1.03554, 1.56823, 3.2785},
+                             {0.25, 0.65765, 0.90678, 1.51410, 3.3876}, {0.5, 0.43689, 0.75022, 1.43811, 3.6244},
+                             {1, 0.18412, 0.55615, 1.32128, 4.3876},    {1.5, 0.06640, 0.44087, 1.23346, 5.8363},
                              {2, 0.02068, 0.36466, 1.16370, 8.4832}};
   const double m = 0.0333, k = 1.5e10, v = 0.7;
   const double ts = std::pow(m / (k * std::sqrt(v)), 0.4);
@@ -70,7 +76,8 @@ TEST_CASE("contact_march: sphere on a semi-infinite rod, every row of the small-
     std::vector<double> peaks;
     for (double per_unit : {25.0, 50.0, 100.0, 200.0, 400.0}) {
       const UniformGrid grid = grid_over(1.2 * end * ts, ts / per_unit);
-      const auto result = march_contacts(grid, {struck(ContactLaw::hertz(k), v, grid)}, {sphere_on_rod(m, z, grid)}, Recontact::no);
+      const auto result =
+          march_contacts(grid, {struck(ContactLaw::hertz(k), v, grid)}, {sphere_on_rod(m, z, grid)}, Recontact::no);
       const auto& f = result[0];
       const auto [force, time] = peak_of(f.force_N, grid.step_s);
       peaks.push_back(force * ts / (m * v));
@@ -93,7 +100,8 @@ TEST_CASE("contact_march: sphere on a semi-infinite rod, every row of the small-
 
 TEST_CASE("contact_march: work on the contact is what the law took up, whatever the step") {
   const double m = 0.0333, v = 0.7, z = 300;
-  for (const ContactLaw& law : {ContactLaw::linear(1e8), ContactLaw::hertz(1.5e10), ContactLaw::tan_sun(1.5e10, 0.094, 1e-6)})
+  for (const ContactLaw& law :
+       {ContactLaw::linear(1e8), ContactLaw::hertz(1.5e10), ContactLaw::tan_sun(1.5e10, 0.094, 1e-6)})
     for (double step : {4e-6, 1e-6}) {
       const UniformGrid grid = grid_over(400e-6, step);
       const auto f = march_contacts(grid, {struck(law, v, grid)}, {sphere_on_rod(m, z, grid)}, Recontact::yes)[0];
@@ -112,9 +120,11 @@ TEST_CASE("contact_march: equals direct marching to rounding, contacts coupled w
   const std::vector<double> w = sphere_on_rod(0.0333, 300, grid);
   std::vector<double> cross(w.size());
   for (std::size_t k = 0; k < w.size(); ++k) cross[k] = 0.2 * w[k] * std::exp(-1e-3 * static_cast<double>(k));
-  const std::vector<MarchedContact> contacts{struck(ContactLaw::linear(5e7), 1, grid), struck(ContactLaw::linear(2e7), 0.5, grid)};
+  const std::vector<MarchedContact> contacts{struck(ContactLaw::linear(5e7), 1, grid),
+                                             struck(ContactLaw::linear(2e7), 0.5, grid)};
   const auto result = march_contacts(grid, contacts, {w, cross, cross, w}, Recontact::yes);
-  // Direct: two linear springs; the mean force of a step in contact is k(α_n + α_{n+1})/2, so the step is a 2 by 2 system.
+  // Direct: two linear springs; the mean force of a step in contact is k(α_n + α_{n+1})/2, so the step is a 2 by 2
+  // system.
   double alpha[2] = {0, 0};
   std::vector<double> f[2];
   double worst = 0;
@@ -128,14 +138,16 @@ TEST_CASE("contact_march: equals direct marching to rounding, contacts coupled w
     if (result[0].indentation_m[n + 1] <= 0 || result[1].indentation_m[n + 1] <= 0) break;  // until one separates
     const double c = grid.step_s * w[0], d = grid.step_s * cross[0], k0 = 5e7 / 2, k1 = 2e7 / 2;
     const double a00 = 1 + c * k0, a01 = d * k1, a10 = d * k0, a11 = 1 + c * k1;
-    const double b0 = free[0] - c * k0 * alpha[0] - d * k1 * alpha[1], b1 = free[1] - d * k0 * alpha[0] - c * k1 * alpha[1];
+    const double b0 = free[0] - c * k0 * alpha[0] - d * k1 * alpha[1],
+                 b1 = free[1] - d * k0 * alpha[0] - c * k1 * alpha[1];
     const double det = a00 * a11 - a01 * a10;
     const double next0 = (b0 * a11 - a01 * b1) / det, next1 = (a00 * b1 - a10 * b0) / det;
     f[0].push_back(k0 * (alpha[0] + next0));
     f[1].push_back(k1 * (alpha[1] + next1));
     alpha[0] = next0;
     alpha[1] = next1;
-    worst = std::max({worst, std::abs(next0 - result[0].indentation_m[n + 1]), std::abs(next1 - result[1].indentation_m[n + 1])});
+    worst = std::max(
+        {worst, std::abs(next0 - result[0].indentation_m[n + 1]), std::abs(next1 - result[1].indentation_m[n + 1])});
   }
   CHECK(f[0].size() > 300);
   CHECK(worst < 1e-12 * largest(result[0].indentation_m));
@@ -165,9 +177,14 @@ TEST_CASE("contact_march: a preload holds still until something moves it") {
 
 TEST_CASE("contact_march: refuses what cannot be marched") {
   const UniformGrid grid = grid_over(10e-6, 1e-6);
-  const auto march = [&](const std::vector<MarchedContact>& contacts, const std::vector<std::vector<double>>& w) { static_cast<void>(march_contacts(grid, contacts, w, Recontact::no)); };
+  const auto march = [&](const std::vector<MarchedContact>& contacts, const std::vector<std::vector<double>>& w) {
+    static_cast<void>(march_contacts(grid, contacts, w, Recontact::no));
+  };
   const MarchedContact contact = struck(ContactLaw::rigid(), 1, grid);
-  CHECK_THROWS_WITH_AS(march({contact}, {std::vector<double>(10, 0.0)}), doctest::Contains("do not yield at all"), std::invalid_argument);
-  CHECK_THROWS_WITH_AS(march({contact, contact}, {std::vector<double>(10, 1.0)}), doctest::Contains("2 contacts need 4 kernels, not 1"), std::invalid_argument);
-  CHECK_THROWS_WITH_AS(march({contact}, {std::vector<double>(9, 1.0)}), doctest::Contains("9 weights"), std::invalid_argument);
+  CHECK_THROWS_WITH_AS(march({contact}, {std::vector<double>(10, 0.0)}), doctest::Contains("do not yield at all"),
+                       std::invalid_argument);
+  CHECK_THROWS_WITH_AS(march({contact, contact}, {std::vector<double>(10, 1.0)}),
+                       doctest::Contains("2 contacts need 4 kernels, not 1"), std::invalid_argument);
+  CHECK_THROWS_WITH_AS(march({contact}, {std::vector<double>(9, 1.0)}), doctest::Contains("9 weights"),
+                       std::invalid_argument);
 }

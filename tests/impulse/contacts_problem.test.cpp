@@ -16,7 +16,9 @@ namespace {
 /// A steel rod that a wave crosses in `cells` steps.
 Bar rod(std::size_t cells, double step, double diameter, std::vector<Face> faces, FarEnd far_end = FarEnd::free) {
   const Material steel = parse_material("steel");
-  return {{{static_cast<double>(cells) * step * steel.rod_wave_speed_m_per_s(), diameter, diameter, steel}}, std::move(faces), far_end};
+  return {{{static_cast<double>(cells) * step * steel.rod_wave_speed_m_per_s(), diameter, diameter, steel}},
+          std::move(faces),
+          far_end};
 }
 
 double impedance(const Bar& bar) { return face_impedance_kg_per_s(bar.profile, Face::a); }
@@ -32,16 +34,22 @@ ContactsProblem rigid_problem(std::vector<double> speeds, std::size_t contacts) 
 
 Response wall(const UniformGrid& grid) { return zero_response(grid, 1); }
 
-double largest_force(const ContactTrace& trace) { return *std::max_element(trace.force_N.begin(), trace.force_N.end()); }
+double largest_force(const ContactTrace& trace) {
+  return *std::max_element(trace.force_N.begin(), trace.force_N.end());
+}
 
 }  // namespace
 
-TEST_CASE("contacts_problem: a chain of three rods against exact characteristics, separations and re-contacts included") {
+TEST_CASE(
+    "contacts_problem: a chain of three rods against exact characteristics, separations and re-contacts included") {
   const double step = 1e-6;
   const UniformGrid grid = grid_over(800e-6, step);
-  const Bar a = rod(37, step, 0.02, {Face::a}), b = rod(23, step, 0.012, {Face::a, Face::b}), c = rod(61, step, 0.03, {Face::a});
-  const auto exact = characteristics::simulate({{impedance(a), 37, 5}, {impedance(b), 23, 0}, {impedance(c), 61, 0}}, {-1, 0, 0, -1}, step, grid.size);
-  const ContactsSolution solution = solve_contacts({wave_response(a, grid), wave_response(b, grid), wave_response(c, grid)}, rigid_problem({5, 0, 0}, 2));
+  const Bar a = rod(37, step, 0.02, {Face::a}), b = rod(23, step, 0.012, {Face::a, Face::b}),
+            c = rod(61, step, 0.03, {Face::a});
+  const auto exact = characteristics::simulate({{impedance(a), 37, 5}, {impedance(b), 23, 0}, {impedance(c), 61, 0}},
+                                               {-1, 0, 0, -1}, step, grid.size);
+  const ContactsSolution solution = solve_contacts(
+      {wave_response(a, grid), wave_response(b, grid), wave_response(c, grid)}, rigid_problem({5, 0, 0}, 2));
   for (std::size_t contact : {0u, 1u}) {
     CAPTURE(contact);
     double impulse = 0, worst = 0, total = 0;
@@ -83,7 +91,8 @@ TEST_CASE("contacts_problem: a rod bounces ten times between two walls and keeps
 }
 
 TEST_CASE("contacts_problem: percussive drilling: a rectangular wave on a spring, efficiency 2(1 - e^-x)²/x") {
-  // The wave arrives as the motion that the free rod end would have, twice the wave's velocity for its length τ; the rock is a spring on a wall.
+  // The wave arrives as the motion that the free rod end would have, twice the wave's velocity for its length τ; the
+  // rock is a spring on a wall.
   const double tau = 100e-6, wave_speed = 3;
   const Bar rod_bar = bars::steel_rod(1, FarEnd::infinite, 0.03);
   const double z = impedance(rod_bar);
@@ -92,7 +101,8 @@ TEST_CASE("contacts_problem: percussive drilling: a rectangular wave on a spring
     ContactsProblem problem = rigid_problem({0, 0}, 1);
     problem.laws = {ContactLaw::linear(x * z / tau)};
     problem.free_velocity_first_m_per_s.assign(grid.size, 2 * wave_speed);
-    for (std::size_t k = grid.size - 5; k < grid.size; ++k) problem.free_velocity_first_m_per_s[k] = 0;  // the sample τ is among them: half a step early
+    for (std::size_t k = grid.size - 5; k < grid.size; ++k)
+      problem.free_velocity_first_m_per_s[k] = 0;  // the sample τ is among them: half a step early
     const ContactTrace trace = solve_contacts({wave_response(rod_bar, grid), wall(grid)}, problem).traces[0];
     // Rigid unloading: what the spring holds at its deepest is the work done. The wave's energy as sampled.
     return *std::max_element(trace.stored_J.begin(), trace.stored_J.end()) / (z * wave_speed * wave_speed * tau);
@@ -116,9 +126,11 @@ TEST_CASE("contacts_problem: percussive drilling: a rectangular wave on a spring
 }
 
 TEST_CASE("contacts_problem: rigid mass on a fixed-free rod, every mass ratio") {
-  // α = rod mass/M; largest stress at the struck end over EV/c, its time over L/c (a right limit), contact end over L/c.
-  const double table[][4] = {{4, 2.0003, 2, 2.2501},    {2, 2.0183, 2, 2.5046},      {1, 2.1353, 2, 3.0677},    {0.5, 2.3679, 2, 4.7086},
-                             {0.25, 2.9744, 4, 5.8996}, {1.0 / 6, 3.4688, 4, 7.4076}, {0.1, 4.0736, 6, 9.5411}};
+  // α = rod mass/M; largest stress at the struck end over EV/c, its time over L/c (a right limit), contact end over
+  // L/c.
+  const double table[][4] = {{4, 2.0003, 2, 2.2501},   {2, 2.0183, 2, 2.5046},    {1, 2.1353, 2, 3.0677},
+                             {0.5, 2.3679, 2, 4.7086}, {0.25, 2.9744, 4, 5.8996}, {1.0 / 6, 3.4688, 4, 7.4076},
+                             {0.1, 4.0736, 6, 9.5411}};
   for (const auto& [ratio, peak, peak_time, end] : table) {
     CAPTURE(ratio);
     const double step = 0.025e-6;
@@ -153,7 +165,8 @@ TEST_CASE("contacts_problem: a stiff spring converges to the rigid interface, at
 
 TEST_CASE("contacts_problem: TCB by rod theory touches again after its first release") {
   const UniformGrid grid = grid_over(1.3e-3, 0.5e-6);
-  const ContactsSolution solution = solve_contacts({wave_response(bars::cone(Face::b), grid), wave_response(bars::long_rod(), grid)}, rigid_problem({0.93, 0}, 1));
+  const ContactsSolution solution = solve_contacts(
+      {wave_response(bars::cone(Face::b), grid), wave_response(bars::long_rod(), grid)}, rigid_problem({0.93, 0}, 1));
   const ContactTrace& trace = solution.traces[0];
   double again = 0, impulse_again = 0, first_time = HUGE_VAL, last_time = 0;
   for (const ContactInterval& interval : contact_intervals(trace, grid)) {
@@ -170,11 +183,15 @@ TEST_CASE("contacts_problem: TCB by rod theory touches again after its first rel
   CHECK(solution.energy_error < 2e-3);
 }
 
-TEST_CASE("contacts_problem: a rigid beam on two unlike supports, each contact free to part, against Newmark's method") {
-  // Body 1: mass 0.5 kg, rotary inertia as a second rigid mode, contacts at its ends. Body 2: two masses on springs, one contact each.
-  ModalModel beam{Eigen::VectorXd::Zero(2), Eigen::VectorXd::Zero(2), Eigen::MatrixXd(2, 2), Eigen::MatrixXd::Zero(2, 2), Eigen::MatrixXd::Zero(2, 2)};
+TEST_CASE(
+    "contacts_problem: a rigid beam on two unlike supports, each contact free to part, against Newmark's method") {
+  // Body 1: mass 0.5 kg, rotary inertia as a second rigid mode, contacts at its ends. Body 2: two masses on springs,
+  // one contact each.
+  ModalModel beam{Eigen::VectorXd::Zero(2), Eigen::VectorXd::Zero(2), Eigen::MatrixXd(2, 2),
+                  Eigen::MatrixXd::Zero(2, 2), Eigen::MatrixXd::Zero(2, 2)};
   beam.participation << 1.4, 1.4, 2.0, -2.0;
-  ModalModel supports{Eigen::VectorXd(2), Eigen::VectorXd::Zero(2), Eigen::MatrixXd(2, 2), Eigen::MatrixXd::Zero(2, 2), Eigen::MatrixXd::Zero(2, 2)};
+  ModalModel supports{Eigen::VectorXd(2), Eigen::VectorXd::Zero(2), Eigen::MatrixXd(2, 2), Eigen::MatrixXd::Zero(2, 2),
+                      Eigen::MatrixXd::Zero(2, 2)};
   supports.angular_frequency << 900, 2500;
   supports.participation << 2.2, 0, 0, 3.0;
   const double k = 3e5, speed = 1;
@@ -185,7 +202,8 @@ TEST_CASE("contacts_problem: a rigid beam on two unlike supports, each contact f
     problem.gaps_m = {0, 0.2e-3};
     return solve_contacts({modal_response(beam, grid), modal_response(supports, grid)}, problem);
   };
-  // Newmark (average acceleration) in the four modal coordinates, fixed-point iteration on the unilateral springs, at a fine step.
+  // Newmark (average acceleration) in the four modal coordinates, fixed-point iteration on the unilateral springs, at a
+  // fine step.
   const double h = 1e-6;
   const Eigen::Vector4d w2(0, 0, 900.0 * 900.0, 2500.0 * 2500.0);
   Eigen::Matrix<double, 4, 2> c;
@@ -215,7 +233,8 @@ TEST_CASE("contacts_problem: a rigid beam on two unlike supports, each contact f
     double worst = 0;
     for (std::size_t contact : {0u, 1u})
       for (std::size_t n = 0; n < solution.traces[contact].force_N.size(); ++n)
-        worst = std::max(worst, std::abs(solution.traces[contact].force_N[n] - newmark[contact][n * static_cast<std::size_t>(std::lround(step / h))]));
+        worst = std::max(worst, std::abs(solution.traces[contact].force_N[n] -
+                                         newmark[contact][n * static_cast<std::size_t>(std::lround(step / h))]));
     error.push_back(worst / largest_force(solution.traces[0]));
     CHECK(solution.energy_error < 1e-10);
     // One point leaves and comes back while the other bears.
@@ -229,7 +248,9 @@ TEST_CASE("contacts_problem: momentum and energy of two free bodies") {
   const UniformGrid grid = grid_over(400e-6, 0.2e-6);
   ContactsProblem problem = rigid_problem({1.2, -0.4}, 1);
   problem.laws = {ContactLaw::hertz(2e9)};
-  const ContactTrace trace = solve_contacts({wave_response(bars::steel_rod(0.3), grid), wave_response(bars::steel_rod(0.2), grid)}, problem).traces[0];
+  const ContactTrace trace =
+      solve_contacts({wave_response(bars::steel_rod(0.3), grid), wave_response(bars::steel_rod(0.2), grid)}, problem)
+          .traces[0];
   CHECK_FALSE(trace.in_contact.back());
   // What body 1 gave, body 2 and the contact got; the contact gave it all back.
   CHECK(std::abs(trace.work_1_J.back() + trace.work_2_J.back()) < 1e-9 * std::abs(trace.work_1_J.back()));
@@ -241,9 +262,16 @@ TEST_CASE("contacts_problem: refuses bodies that do not fit") {
   const UniformGrid grid = grid_over(100e-6, 1e-6);
   const Response two_faced = wave_response(rod(20, 1e-6, 0.02, {Face::a, Face::b}), grid);
   const Response one_faced = wave_response(bars::steel_rod(0.2), grid);
-  const auto solve = [](const std::vector<Response>& bodies, const ContactsProblem& problem) { static_cast<void>(solve_contacts(bodies, problem)); };
-  CHECK_THROWS_WITH_AS(solve({one_faced, one_faced, one_faced}, rigid_problem({1, 0, 0}, 2)), doctest::Contains("an inner body has an entry and an exit"), std::invalid_argument);
-  CHECK_THROWS_WITH_AS(solve({one_faced, two_faced}, rigid_problem({1, 0}, 1)), doctest::Contains("1 and 2 contacts"), std::invalid_argument);
-  CHECK_THROWS_WITH_AS(solve({one_faced, wave_response(bars::steel_rod(0.2), grid_over(100e-6, 2e-6))}, rigid_problem({1, 0}, 1)), doctest::Contains("different grids"), std::invalid_argument);
-  CHECK_THROWS_WITH_AS(solve({one_faced, one_faced}, rigid_problem({1, 0}, 2)), doctest::Contains("2 contact laws for 1 contacts"), std::invalid_argument);
+  const auto solve = [](const std::vector<Response>& bodies, const ContactsProblem& problem) {
+    static_cast<void>(solve_contacts(bodies, problem));
+  };
+  CHECK_THROWS_WITH_AS(solve({one_faced, one_faced, one_faced}, rigid_problem({1, 0, 0}, 2)),
+                       doctest::Contains("an inner body has an entry and an exit"), std::invalid_argument);
+  CHECK_THROWS_WITH_AS(solve({one_faced, two_faced}, rigid_problem({1, 0}, 1)), doctest::Contains("1 and 2 contacts"),
+                       std::invalid_argument);
+  CHECK_THROWS_WITH_AS(
+      solve({one_faced, wave_response(bars::steel_rod(0.2), grid_over(100e-6, 2e-6))}, rigid_problem({1, 0}, 1)),
+      doctest::Contains("different grids"), std::invalid_argument);
+  CHECK_THROWS_WITH_AS(solve({one_faced, one_faced}, rigid_problem({1, 0}, 2)),
+                       doctest::Contains("2 contact laws for 1 contacts"), std::invalid_argument);
 }

@@ -10,8 +10,9 @@
 using namespace impulse;
 
 TEST_CASE("modal_response: one damped mode in closed form over many restarts") {
-  ModalModel body{Eigen::VectorXd::Constant(1, 3000), Eigen::VectorXd::Constant(1, 0.002), Eigen::MatrixXd::Constant(1, 2, 0.7),
-                  Eigen::MatrixXd::Constant(2, 2, 1e-9), Eigen::MatrixXd::Zero(2, 2)};
+  ModalModel body{Eigen::VectorXd::Constant(1, 3000), Eigen::VectorXd::Constant(1, 0.002),
+                  Eigen::MatrixXd::Constant(1, 2, 0.7), Eigen::MatrixXd::Constant(2, 2, 1e-9),
+                  Eigen::MatrixXd::Zero(2, 2)};
   body.participation(0, 1) = -0.4;
   const UniformGrid grid{1e-5, 5003};
   const Response response = modal_response(body, grid);
@@ -24,21 +25,26 @@ TEST_CASE("modal_response: one damped mode in closed form over many restarts") {
     const double p = -0.28;
     CHECK(std::abs(response.pair(0, 1).impulse_response_per_kg[k] - p * (c - s / d * n)) < 1e-13);
     CHECK(std::abs(response.pair(1, 0).step_velocity_m_per_Ns[k] - p / d * n) < 1e-13 / d);
-    CHECK(std::abs(response.pair(0, 1).step_displacement_m_per_N[k] - 1e-9 - p / 9e6 * (1 - c - s / d * n)) < 1e-13 / 9e6);
+    CHECK(std::abs(response.pair(0, 1).step_displacement_m_per_N[k] - 1e-9 - p / 9e6 * (1 - c - s / d * n)) <
+          1e-13 / 9e6);
   }
 }
 
 TEST_CASE("modal_response: a rigid-body mode is a rigid mass") {
-  const ModalModel body{Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1), Eigen::MatrixXd::Constant(1, 1, 1 / std::sqrt(2.5)), Eigen::MatrixXd::Zero(1, 1),
+  const ModalModel body{Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1),
+                        Eigen::MatrixXd::Constant(1, 1, 1 / std::sqrt(2.5)), Eigen::MatrixXd::Zero(1, 1),
                         Eigen::MatrixXd::Zero(1, 1)};
   const UniformGrid grid{1e-4, 100};
   const Response modal = modal_response(body, grid);
   const Response mass = mass_response(2.5, grid);
   for (std::size_t k = 0; k < grid.size; ++k) {
-    CHECK(modal.pair(0, 0).impulse_response_per_kg[k] == doctest::Approx(mass.pair(0, 0).impulse_response_per_kg[k]).epsilon(1e-15));
-    CHECK(modal.pair(0, 0).step_displacement_m_per_N[k] == doctest::Approx(mass.pair(0, 0).step_displacement_m_per_N[k]).epsilon(1e-15));
+    CHECK(modal.pair(0, 0).impulse_response_per_kg[k] ==
+          doctest::Approx(mass.pair(0, 0).impulse_response_per_kg[k]).epsilon(1e-15));
+    CHECK(modal.pair(0, 0).step_displacement_m_per_N[k] ==
+          doctest::Approx(mass.pair(0, 0).step_displacement_m_per_N[k]).epsilon(1e-15));
   }
-  CHECK_THROWS_WITH_AS(static_cast<void>(mass_response(0, grid)), doctest::Contains("mass 0 kg is not positive"), std::invalid_argument);
+  CHECK_THROWS_WITH_AS(static_cast<void>(mass_response(0, grid)), doctest::Contains("mass 0 kg is not positive"),
+                       std::invalid_argument);
 }
 
 TEST_CASE("modal_response: exact modes converge to the waves as 1/count, first right limit exact") {
@@ -50,9 +56,11 @@ TEST_CASE("modal_response: exact modes converge to the waves as 1/count, first r
     const Response modes = modal_response(exact_bar_modes(bar, {.count = count}), grid);
     double squares = 0;
     for (std::size_t k = 0; k < grid.size; ++k)
-      squares += std::pow(modes.pair(0, 0).step_displacement_m_per_N[k] - waves.pair(0, 0).step_displacement_m_per_N[k], 2);
+      squares +=
+          std::pow(modes.pair(0, 0).step_displacement_m_per_N[k] - waves.pair(0, 0).step_displacement_m_per_N[k], 2);
     error.push_back(std::sqrt(squares));
-    CHECK(modes.pair(0, 0).step_velocity_m_per_Ns[0] == doctest::Approx(waves.pair(0, 0).step_velocity_m_per_Ns[0]).epsilon(1e-13));
+    CHECK(modes.pair(0, 0).step_velocity_m_per_Ns[0] ==
+          doctest::Approx(waves.pair(0, 0).step_velocity_m_per_Ns[0]).epsilon(1e-13));
   }
   const double slope = std::log2(error.front() / error.back()) / 4;
   CHECK(slope > 0.9);

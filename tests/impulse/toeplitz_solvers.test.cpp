@@ -27,5 +27,6 @@ TEST_CASE("toeplitz_solvers: a ringing kernel falls back on marching; a hopeless
   w[1] = -1.006;  // 1/w grows to 4e10
   const std::vector<double> b(4096, 1.0);
   CHECK_THROWS_AS(static_cast<void>(contour_toeplitz(w, b, 1e-9)), ConvergenceError);
-  CHECK_THROWS_WITH_AS(static_cast<void>(series_toeplitz(w, b, 1e-30)), doctest::Contains("residual"), ConvergenceError);
+  CHECK_THROWS_WITH_AS(static_cast<void>(series_toeplitz(w, b, 1e-30)), doctest::Contains("residual"),
+                       ConvergenceError);
 }

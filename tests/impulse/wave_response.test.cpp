@@ -18,7 +18,8 @@ Segment segment_by_time(double cells, double step_s, double d1, double d2, const
   return {cells * step_s * m.rod_wave_speed_m_per_s(), d1, d2, m};
 }
 
-/// Relative L2 difference of H from the lattice at odd steps, where no front arrives (all of them come after an even number).
+/// Relative L2 difference of H from the lattice at odd steps, where no front arrives (all of them come after an even
+/// number).
 double difference_from_lattice(const Profile& profile, double step_s, std::size_t size) {
   const std::vector<double> expected = lattice::step_velocity(profile, step_s, size);
   const Response response = wave_response({profile, {Face::a}, FarEnd::free}, {step_s, size});
@@ -34,7 +35,8 @@ double difference_from_lattice(const Profile& profile, double step_s, std::size_
 
 }  // namespace
 
-TEST_CASE("wave_response: a cylinder's step velocity is the staircase of its echoes, whether they fall on samples or not") {
+TEST_CASE(
+    "wave_response: a cylinder's step velocity is the staircase of its echoes, whether they fall on samples or not") {
   for (double step : {1e-6, 0.37e-6}) {
     const UniformGrid grid = grid_over(1e-3, step);
     const auto check = [&](FarEnd far_end, double sign) {
@@ -71,13 +73,15 @@ TEST_CASE("wave_response: a long cone answers with exp(-κt)/Z until its echo") 
     const Segment& s = bar.profile.front();
     const double z = face_impedance_kg_per_s(bar.profile, face);
     const double slope = (s.diameter_b_m - s.diameter_a_m) / s.length_m;
-    const double kappa = s.material.rod_wave_speed_m_per_s() * (face == Face::a ? slope / s.diameter_a_m : -slope / s.diameter_b_m);
+    const double kappa =
+        s.material.rod_wave_speed_m_per_s() * (face == Face::a ? slope / s.diameter_a_m : -slope / s.diameter_b_m);
     const UniformGrid grid = grid_over(500e-6, 1e-6);
     const Response response = wave_response(bar, grid);
     for (std::size_t k = 0; k < grid.size; ++k) {
       const double t = grid.time_s(k);
       CHECK(std::abs(response.pair(0, 0).step_velocity_m_per_Ns[k] * z - std::exp(-kappa * t)) < 1e-10);
-      CHECK(std::abs(response.pair(0, 0).step_displacement_m_per_N[k] * z * kappa - (1 - std::exp(-kappa * t))) < 1e-10);
+      CHECK(std::abs(response.pair(0, 0).step_displacement_m_per_N[k] * z * kappa - (1 - std::exp(-kappa * t))) <
+            1e-10);
       CHECK(std::abs(response.pair(0, 0).impulse_response_per_kg[k] * z / kappa + std::exp(-kappa * t)) < 1e-7);
     }
   }
@@ -120,12 +124,15 @@ TEST_CASE("wave_response: so many fronts that the small ones go to a lattice sti
 
 TEST_CASE("wave_response: a cone on a cone agrees with the lattice extrapolated to zero step") {
   const auto profile = [](double cells, double step) {
-    return Profile{segment_by_time(2 * cells, step, 0.03, 0.06, "nylon-6"), segment_by_time(cells, step, 0.05, 0.02, "aluminium")};
+    return Profile{segment_by_time(2 * cells, step, 0.03, 0.06, "nylon-6"),
+                   segment_by_time(cells, step, 0.05, 0.02, "aluminium")};
   };
-  // Two lattices of one chain, compared midway between the arrivals (every 4 µs) at samples even in both, as their errors alternate.
+  // Two lattices of one chain, compared midway between the arrivals (every 4 µs) at samples even in both, as their
+  // errors alternate.
   const double total = 600e-6;
   const auto lattice_at = [&](double step) {
-    return lattice::step_velocity(profile(80e-6 / step, step), step, static_cast<std::size_t>(std::lround(total / step)) + 1);
+    return lattice::step_velocity(profile(80e-6 / step, step), step,
+                                  static_cast<std::size_t>(std::lround(total / step)) + 1);
   };
   const std::vector<double> coarse = lattice_at(1e-6);
   const std::vector<double> fine = lattice_at(0.5e-6);
@@ -144,7 +151,9 @@ TEST_CASE("wave_response: a cone on a cone agrees with the lattice extrapolated 
 }
 
 TEST_CASE("wave_response: rigid-body limit, reciprocity and causality of a chain with a cone") {
-  Bar bar{{parse_segment("200mm,30mm,60mm,nylon-6"), parse_segment("150mm,40mm,aluminium")}, {Face::a, Face::b}, FarEnd::free};
+  Bar bar{{parse_segment("200mm,30mm,60mm,nylon-6"), parse_segment("150mm,40mm,aluminium")},
+          {Face::a, Face::b},
+          FarEnd::free};
   const UniformGrid grid = grid_over(20e-3, 5e-6);
   const Response response = wave_response(bar, grid);
   CHECK(response.pair(0, 1).step_displacement_m_per_N == response.pair(1, 0).step_displacement_m_per_N);
@@ -157,12 +166,14 @@ TEST_CASE("wave_response: rigid-body limit, reciprocity and causality of a chain
       CHECK(std::abs(response.pair(i, j).step_displacement_m_per_N.back() / rigid - 1) < 2e-4);
     }
   const auto arrival = static_cast<std::size_t>(travel_time_s(bar.profile) / grid.step_s);
-  for (std::size_t k = 0; k <= arrival; ++k) CHECK(std::abs(response.pair(0, 1).step_displacement_m_per_N[k]) < 1e-20 + 1e-12 * t * t / m);
+  for (std::size_t k = 0; k <= arrival; ++k)
+    CHECK(std::abs(response.pair(0, 1).step_displacement_m_per_N[k]) < 1e-20 + 1e-12 * t * t / m);
   std::swap(bar.faces[0], bar.faces[1]);
   const Response swapped = wave_response(bar, grid);
   double largest = 0;
   for (std::size_t k = 0; k < grid.size; ++k)
-    largest = std::max(largest, std::abs(swapped.pair(0, 1).step_displacement_m_per_N[k] - response.pair(0, 1).step_displacement_m_per_N[k]));
+    largest = std::max(largest, std::abs(swapped.pair(0, 1).step_displacement_m_per_N[k] -
+                                         response.pair(0, 1).step_displacement_m_per_N[k]));
   CHECK(largest < 1e-10 * 0.5 * t * t / m);
 }
 
@@ -183,9 +194,11 @@ TEST_CASE("wave_response: a bar whose echo comes 10^5 records later answers with
 TEST_CASE("wave_response: refuses a cone too sharp to resolve") {
   Bar bar = bars::steel_rod(1);
   bar.profile[0].diameter_b_m = 1e-12;
-  CHECK_THROWS_WITH_AS(static_cast<void>(wave_response(bar, grid_over(2e-3, 1e-6))), doctest::Contains("use a blunter end"), std::invalid_argument);
+  CHECK_THROWS_WITH_AS(static_cast<void>(wave_response(bar, grid_over(2e-3, 1e-6))),
+                       doctest::Contains("use a blunter end"), std::invalid_argument);
 }
 
 TEST_CASE("wave_response: refuses what is not a bar") {
-  CHECK_THROWS_WITH_AS(static_cast<void>(wave_response({{}, {Face::a}, FarEnd::free}, {1e-6, 10})), doctest::Contains("segment"), std::invalid_argument);
+  CHECK_THROWS_WITH_AS(static_cast<void>(wave_response({{}, {Face::a}, FarEnd::free}, {1e-6, 10})),
+                       doctest::Contains("segment"), std::invalid_argument);
 }

@@ -5,8 +5,9 @@
 #include <cstddef>
 #include <vector>
 
-/// An oracle for cylindrical rods in a row that strike, part and meet again: velocity waves shifted by one cell a step, which is exact where
-/// travel times, flights and gaps are whole numbers of steps. Rod ends are contacts with the next rod, or with a wall.
+/// An oracle for cylindrical rods in a row that strike, part and meet again: velocity waves shifted by one cell a step,
+/// which is exact where travel times, flights and gaps are whole numbers of steps. Rod ends are contacts with the next
+/// rod, or with a wall.
 namespace impulse::characteristics {
 
 struct Rod {
@@ -44,7 +45,8 @@ inline Result simulate(const std::vector<Rod>& rods, std::vector<double> gaps, d
       // Incoming waves on both sides; a wall has infinite impedance and brings none.
       const double from_left = contact > 0 ? right[contact - 1].back() : 0;
       const double from_right = contact < n ? left[contact].front() : 0;
-      const double yield = (contact > 0 ? 1 / rods[contact - 1].impedance : 0) + (contact < n ? 1 / rods[contact].impedance : 0);
+      const double yield =
+          (contact > 0 ? 1 / rods[contact - 1].impedance : 0) + (contact < n ? 1 / rods[contact].impedance : 0);
       double force = 0;
       if (!wall_less[contact] && gaps[contact] <= 1e-12) force = std::max(0.0, 2 * (from_left - from_right) / yield);
       result.force[contact][k] = force;

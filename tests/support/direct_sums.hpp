@@ -31,7 +31,8 @@ inline std::vector<std::complex<double>> transform(const std::vector<double>& x)
   std::vector<std::complex<double>> spectrum(x.size() / 2 + 1);
   for (std::size_t k = 0; k < spectrum.size(); ++k)
     for (std::size_t j = 0; j < x.size(); ++j)
-      spectrum[k] += x[j] * std::polar(1.0, -2 * M_PI * static_cast<double>(j * k % x.size()) / static_cast<double>(x.size()));
+      spectrum[k] +=
+          x[j] * std::polar(1.0, -2 * M_PI * static_cast<double>(j * k % x.size()) / static_cast<double>(x.size()));
   return spectrum;
 }
 

@@ -8,8 +8,9 @@
 #include <utility>
 #include <vector>
 
-/// Exact force between a chain of cylinders of two kinds (two travel times) and a rod whose echo does not return, as a power series
-/// in the two delays: F(t) = Σ f_mn 1(t - 2mτ₁ - 2nτ₂). Shares nothing with the library but the material constants.
+/// Exact force between a chain of cylinders of two kinds (two travel times) and a rod whose echo does not return, as a
+/// power series in the two delays: F(t) = Σ f_mn 1(t - 2mτ₁ - 2nτ₂). Shares nothing with the library but the material
+/// constants.
 namespace impulse::two_delays {
 
 constexpr int rows = 24;
@@ -51,8 +52,10 @@ struct Series {
   }
 };
 
-/// Times of the jumps and their heights, in order; the first is F(0+) at 0. `chain` from the struck face; kinds by travel time.
-inline std::vector<std::pair<double, double>> jumps(const Profile& chain, double rod_impedance, double speed, double until) {
+/// Times of the jumps and their heights, in order; the first is F(0+) at 0. `chain` from the struck face; kinds by
+/// travel time.
+inline std::vector<std::pair<double, double>> jumps(const Profile& chain, double rod_impedance, double speed,
+                                                    double until) {
   const double tau_1 = chain.front().travel_time_s();
   double tau_2 = tau_1;
   for (const Segment& s : chain)

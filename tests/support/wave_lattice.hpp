@@ -6,9 +6,9 @@
 #include <cstddef>
 #include <vector>
 
-/// An oracle for waves in chains that shares no line with the library: d'Alembert's lattice. Every segment is cut into cells
-/// crossed in one time step (its travel time must be a whole number of them); then central differences for ψ = D·u
-/// carry waves without dispersion, exactly in cylinders, to order 2 at the ends and joints of cones.
+/// An oracle for waves in chains that shares no line with the library: d'Alembert's lattice. Every segment is cut into
+/// cells crossed in one time step (its travel time must be a whole number of them); then central differences for ψ =
+/// D·u carry waves without dispersion, exactly in cylinders, to order 2 at the ends and joints of cones.
 namespace impulse::lattice {
 
 /// Velocity of face A under a unit step force on it, at steps 0, 1, 2, ... Far end free.

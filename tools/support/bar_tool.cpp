@@ -44,11 +44,14 @@ struct Request {
                            "travelling waves (exact) or modal superposition");
     command.choice<ModesFrom>("--modes-from", modes_from, {{"exact", ModesFrom::exact}, {"fe", ModesFrom::fe}},
                               "modes of the continuous bar, or of its finite elements");
-    command.count("--modes", modes, 1, "number of modes, the rigid-body mode included (default: up to the step's Nyquist frequency)");
+    command.count("--modes", modes, 1,
+                  "number of modes, the rigid-body mode included (default: up to the step's Nyquist frequency)");
     command.count("--elements", elements, 1, "finite elements along the bar, shared out by travel time");
-    command.choice<MassMatrix>("--mass-matrix", mass_matrix, {{"lumped", MassMatrix::lumped}, {"consistent", MassMatrix::consistent}},
+    command.choice<MassMatrix>("--mass-matrix", mass_matrix,
+                               {{"lumped", MassMatrix::lumped}, {"consistent", MassMatrix::consistent}},
                                "of the finite elements");
-    command.choice<FeFrequencies>("--fe-frequencies", frequencies, {{"plain", FeFrequencies::plain}, {"corrected", FeFrequencies::corrected}},
+    command.choice<FeFrequencies>("--fe-frequencies", frequencies,
+                                  {{"plain", FeFrequencies::plain}, {"corrected", FeFrequencies::corrected}},
                                   "corrected: freed of the lumped mesh's dispersion");
     command.output(output);
   }
@@ -57,13 +60,15 @@ struct Request {
     const bool modal = method == Method::modal || as == Output::modes;
     if (as == Output::modes && command.given("--method") && method == Method::wave)
       throw UsageError("--method", "travelling waves have no modes; leave it out with --as modes");
-    if (as == Output::modes && command.given("--duration")) throw UsageError("--duration", "modes have no duration; leave it out with --as modes");
+    if (as == Output::modes && command.given("--duration"))
+      throw UsageError("--duration", "modes have no duration; leave it out with --as modes");
     for (const char* flag : {"--modes", "--modes-from"})
       if (!modal && command.given(flag)) throw UsageError(flag, "belongs to modal superposition; add --method modal");
     for (const char* flag : {"--elements", "--mass-matrix", "--fe-frequencies"})
       if (command.given(flag) && !(modal && modes_from == ModesFrom::fe))
         throw UsageError(flag, "belongs to finite elements; add --method modal --modes-from fe");
-    if (modal && modes_from == ModesFrom::fe && !elements) throw UsageError("--elements", "is required with --modes-from fe");
+    if (modal && modes_from == ModesFrom::fe && !elements)
+      throw UsageError("--elements", "is required with --modes-from fe");
     if (frequencies == FeFrequencies::corrected && mass_matrix != MassMatrix::lumped)
       throw UsageError("--fe-frequencies", "the correction is that of the lumped mass matrix");
     if (modal && body.far_end() == FarEnd::infinite)
@@ -72,7 +77,8 @@ struct Request {
       throw UsageError("--step", "sets the number of modes, which --modes gives; leave one of them out");
     if (as == Output::response && !step_s) throw UsageError("--step", "is required for a response");
     if (as == Output::response && !duration_s) throw UsageError("--duration", "is required for a response");
-    if (as == Output::modes && !step_s && !modes) throw UsageError("--modes", "is required with --as modes (or --step, for the modes up to its Nyquist frequency)");
+    if (as == Output::modes && !step_s && !modes)
+      throw UsageError("--modes", "is required with --as modes (or --step, for the modes up to its Nyquist frequency)");
   }
 
   /// Highest frequency wanted; a mode on the Nyquist frequency to rounding is wanted.
@@ -85,14 +91,17 @@ struct Request {
     const std::size_t held = bar.faces.size() == 1 && bar.far_end == FarEnd::fixed ? 1 : 0;
     const std::size_t count = std::accumulate(mesh.elements.begin(), mesh.elements.end(), std::size_t{1}) - held;
     if (modes && *modes > count)
-      throw UsageError("--modes", fmt::format("{} modes are asked for, but {} elements have only {}; use more --elements", *modes, *elements, count));
+      throw UsageError("--modes",
+                       fmt::format("{} modes are asked for, but {} elements have only {}; use more --elements", *modes,
+                                   *elements, count));
   }
 
   [[nodiscard]] ModalModel modal_body(const Bar& bar) const {
     if (modes_from == ModesFrom::exact) return exact_bar_modes(bar, {highest_frequency_Hz(), mode_count()});
     const BarMesh mesh = bar_mesh_by_count(bar, *elements, mass_matrix);
     require_modes_in(bar, mesh);
-    const ModalModel plain = modal_model(bar_structure(bar, mesh), {.mode_count = mode_count(), .highest_frequency_Hz = highest_frequency_Hz()});
+    const ModalModel plain = modal_model(bar_structure(bar, mesh),
+                                         {.mode_count = mode_count(), .highest_frequency_Hz = highest_frequency_Hz()});
     return frequencies == FeFrequencies::plain ? plain : dispersion_corrected(plain, bar, mesh, highest_frequency_Hz());
   }
 };
@@ -111,8 +120,8 @@ int run_bar_tool(int argc, char** argv, ToolPage page, BarOptions::Kind kind) {
       return 0;
     }
     const UniformGrid grid = grid_over(*request.duration_s, *request.step_s);
-    write_response(request.output,
-                   request.method == Method::wave ? wave_response(bar, grid) : modal_response(request.modal_body(bar), grid));
+    write_response(request.output, request.method == Method::wave ? wave_response(bar, grid)
+                                                                  : modal_response(request.modal_body(bar), grid));
     return 0;
   });
 }

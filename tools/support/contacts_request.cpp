@@ -17,12 +17,14 @@ std::vector<double> free_velocity(const std::optional<std::string>& path, const 
   if (!path) return {};
   const CsvTable table = read_csv(*path);
   if (!same_grid(uniform_time(table), grid))
-    throw InputError(table.file(), 0, 0, fmt::format("has another grid than the responses ({} samples of {} s)", grid.size, grid.step_s));
+    throw InputError(table.file(), 0, 0,
+                     fmt::format("has another grid than the responses ({} samples of {} s)", grid.size, grid.step_s));
   return table.column("velocity_m_per_s");
 }
 
 /// Mean speed after the impact of a free body that received `impulse_Ns`.
-ImpactSummary overall(const ContactsSolution& solution, const UniformGrid& grid, double speed, std::optional<double> mass) {
+ImpactSummary overall(const ContactsSolution& solution, const UniformGrid& grid, double speed,
+                      std::optional<double> mass) {
   ImpactSummary line;
   std::optional<ContactInterval> first;
   for (const ContactTrace& trace : solution.traces)
@@ -44,17 +46,23 @@ ImpactSummary overall(const ContactsSolution& solution, const UniformGrid& grid,
 
 void ContactsRequest::declare(Command& command) {
   law_.declare(command);
-  command.quantity("--gap", gaps_m_, "m", Sign::non_negative, "gap at t = 0 (default: 0); one for all contacts or one each");
-  command.quantity("--preload", preload_N_, "N", Sign::non_negative, "constant force that pressed the bodies together before t = 0");
-  command.quantity("--speed-2", speed_2_m_per_s_, "m/s", Sign::any, "of body 2, in the direction of --speed (default: 0)");
-  command.text("--free-velocity-1", free_velocity_1_, "FILE", "velocity_m_per_s of body 1's face were there no contact, beyond --speed");
-  command.text("--free-velocity-2", free_velocity_2_, "FILE", "velocity_m_per_s of the last body's face were there no contact");
+  command.quantity("--gap", gaps_m_, "m", Sign::non_negative,
+                   "gap at t = 0 (default: 0); one for all contacts or one each");
+  command.quantity("--preload", preload_N_, "N", Sign::non_negative,
+                   "constant force that pressed the bodies together before t = 0");
+  command.quantity("--speed-2", speed_2_m_per_s_, "m/s", Sign::any,
+                   "of body 2, in the direction of --speed (default: 0)");
+  command.text("--free-velocity-1", free_velocity_1_, "FILE",
+               "velocity_m_per_s of body 1's face were there no contact, beyond --speed");
+  command.text("--free-velocity-2", free_velocity_2_, "FILE",
+               "velocity_m_per_s of the last body's face were there no contact");
   command.flag("--recontact", recontact_, "let bodies that parted touch again");
   command.text("--contacts", contacts_, "FILE", "write a row for every period of contact to FILE");
 }
 
 bool ContactsRequest::asked(const Command& command) const {
-  for (const char* flag : {"--law", "--gap", "--preload", "--speed-2", "--free-velocity-1", "--free-velocity-2", "--recontact", "--contacts"})
+  for (const char* flag : {"--law", "--gap", "--preload", "--speed-2", "--free-velocity-1", "--free-velocity-2",
+                           "--recontact", "--contacts"})
     if (command.given(flag)) return true;
   return false;
 }
@@ -75,12 +83,15 @@ ContactsProblem ContactsRequest::problem(const std::vector<Response>& bodies, do
   return problem;
 }
 
-void ContactsRequest::run(const std::vector<Response>& bodies, double speed_m_per_s, std::optional<double> first_mass_kg,
-                          std::optional<double> last_mass_kg, bool summary, const std::string& output) const {
+void ContactsRequest::run(const std::vector<Response>& bodies, double speed_m_per_s,
+                          std::optional<double> first_mass_kg, std::optional<double> last_mass_kg, bool summary,
+                          const std::string& output) const {
   const ContactsSolution solution = solve_contacts(bodies, problem(bodies, speed_m_per_s));
   const UniformGrid& grid = bodies[0].grid;
   if (solution.in_contact_at_end)
-    fmt::print(stderr, "ir-impact: the responses end during contact, after {:g} s; compute them with a longer --duration\n", grid.duration_s());
+    fmt::print(stderr,
+               "ir-impact: the responses end during contact, after {:g} s; compute them with a longer --duration\n",
+               grid.duration_s());
   if (contacts_) write_intervals(*contacts_, grid, solution.traces);
   if (!summary) {
     write_traces(output, grid, solution.traces);

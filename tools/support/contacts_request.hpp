@@ -10,8 +10,8 @@
 
 namespace impulse {
 
-/// The options of `ir-impact` that go past a rigid interface up to its first separation: laws, gaps, preload, other motion, re-contact,
-/// chains and several points.
+/// The options of `ir-impact` that go past a rigid interface up to its first separation: laws, gaps, preload, other
+/// motion, re-contact, chains and several points.
 class ContactsRequest {
  public:
   void declare(Command& command);
@@ -19,10 +19,10 @@ class ContactsRequest {
   /// Whether any of them was given, so that the contacts have to be marched.
   [[nodiscard]] bool asked(const Command& command) const;
 
-  /// Solves and writes: the history or (`summary`) one row to `output`, the periods of contact to --contacts. Masses, where they are known, are
-  /// those of the first and last body. Says on stderr if the record ends during contact.
-  void run(const std::vector<Response>& bodies, double speed_m_per_s, std::optional<double> first_mass_kg, std::optional<double> last_mass_kg,
-           bool summary, const std::string& output) const;
+  /// Solves and writes: the history or (`summary`) one row to `output`, the periods of contact to --contacts. Masses,
+  /// where they are known, are those of the first and last body. Says on stderr if the record ends during contact.
+  void run(const std::vector<Response>& bodies, double speed_m_per_s, std::optional<double> first_mass_kg,
+           std::optional<double> last_mass_kg, bool summary, const std::string& output) const;
 
  private:
   [[nodiscard]] ContactsProblem problem(const std::vector<Response>& bodies, double speed_m_per_s) const;
