@@ -122,7 +122,10 @@ class Contact {
     if (interface_.is_rigid()) {
       const std::vector<double>& mean = result_.mean_force_N;
       result_.force_N[0] = mean[0];
-      result_.in_contact[0] = mean[0] > 0 && result_.indentation_m[0] == 0;
+      for (std::size_t n = 0; n < result_.in_contact.size(); ++n) {
+        const bool bears = (n > 0 && mean[n - 1] > 0) || (n < mean.size() && mean[n] > 0);
+        result_.in_contact[n] = bears && result_.indentation_m[n] == 0;
+      }
       for (std::size_t n = 1; n < mean.size(); ++n) result_.force_N[n] = 0.5 * (mean[n - 1] + mean[n]);
       result_.force_N[mean.size()] = mean.back();
     }

@@ -18,7 +18,7 @@ std::vector<double> free_velocity(const std::optional<std::string>& path, const 
   const CsvTable table = read_csv(*path);
   if (!same_grid(uniform_time(table), grid))
     throw InputError(table.file(), 0, 0,
-                     fmt::format("has another grid than the responses ({} samples of {} s)", grid.size, grid.step_s));
+                     fmt::format("has another grid than the responses ({} samples of {:.6g} s)", grid.size, grid.step_s));
   return table.column("velocity_m_per_s");
 }
 
