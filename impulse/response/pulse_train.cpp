@@ -105,12 +105,12 @@ class Tracer {
   }
 
  private:
-  static constexpr std::size_t front_limit = 20000;
+  static constexpr std::size_t front_limit = 100000;
 
   std::int64_t lattice_spacing(double step_s) const {
     // A front must not land before the lattice line it started from: at least three spacings per piece. 2^19 lines
     // bound memory.
-    double spacing = std::max(step_s / 4, 0x1p-19 * tick_s_ * static_cast<double>(end_));
+    double spacing = std::max(step_s / 8, 0x1p-19 * tick_s_ * static_cast<double>(end_));
     for (const WavePiece& piece : line_.pieces) spacing = std::min(spacing, piece.travel_time_s / 3);
     return std::max<std::int64_t>(1, std::llround(spacing / tick_s_));
   }

@@ -24,8 +24,8 @@ struct PulseTrain {
 
 /// Follows the wave fronts of a unit impulse on the struck end through every reflection and transmission, in order of
 /// time; fronts that meet at one place and time are merged, so that their number grows as a power of the duration, not
-/// exponentially. Times are whole multiples of duration/2^50. Where more than 20,000 fronts are under way at once (many
-/// incommensurate segments), fronts below a threshold that rises as needed are put on a lattice of step/4 by cubic
+/// exponentially. Times are whole multiples of duration/2^50. Where more than 100,000 fronts are under way at once (many
+/// incommensurate segments), fronts below a threshold that rises as needed are put on a lattice of step/8 by cubic
 /// interpolation, which preserves their moments up to the third; each is off by at most its own size within two lattice
 /// steps of its arrival. Verified by: tests/impulse/wave_response.test.cpp
 [[nodiscard]] PulseTrain pulse_train(const WaveLine& line, double duration_s, double step_s, double mu_per_s);
