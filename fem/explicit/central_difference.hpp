@@ -68,9 +68,9 @@ class CentralDifference {
 
 /// 2/ω_max [s] of K u = ω²M u, rounded down to be safe: λM - K is positive definite exactly if λ > ω_max², so bisection
 /// on the success of its sparse Cholesky factorisation from the largest K_ii/M_ii upwards closes in
-/// on ω_max², and the upper end is taken. Tight to a relative 1e-13 and rounding: a free uniform rod gives h/c.
-/// Cost: about 45 factorisations. M may be consistent.
-/// @throws std::invalid_argument if the body has no stiffness or no positive mass.
+/// on ω_max², and the upper end is taken; infinite if there is no stiffness. Tight to a relative 1e-13 and rounding: a
+/// free uniform rod gives h/c. Cost: about 45 factorisations. M may be consistent.
+/// @throws std::invalid_argument if a mass is not positive.
 /// Verified by: tests/fem/central_difference.test.cpp
 [[nodiscard]] double stability_limit_s(const Structure& body);
 

@@ -26,6 +26,8 @@ double ContactMatching::step(double begin_force, StepForce shape) {
                                               : step_by_bisection(begin_force, shape);
 }
 
+double ContactMatching::close() { return correct(0, ramp_1_, ramp_2_); }
+
 void ContactMatching::integrate(double begin_force, double end_force) {
   projectile.integrate(begin_force, end_force);
   target.integrate(begin_force, end_force);

@@ -11,7 +11,8 @@ namespace impulse {
 enum class StepForce { ramp, held };
 
 /// Two bodies whose faces move together at the end of every step: finds the force that makes them, by the impact's
-/// `matching`. Keeps references to the structures and the impact. Verified by: tests/fem/explicit_impact.test.cpp
+/// `matching`. Keeps references to the structures and the impact.
+/// Verified by: tests/fem/explicit_impact.test.cpp, tests/fem/explicit_contact.test.cpp
 class ContactMatching {
  public:
   ContactMatching(const Structure& projectile, const Structure& target, const ExplicitImpact& impact);
@@ -19,6 +20,13 @@ class ContactMatching {
   /// Takes both bodies through a step and returns the force at its end [N].
   /// @throws ConvergenceError if bisection misses 1e-12 of V/(½Δt Σ cᵀM⁻¹c), about the first force.
   double step(double begin_force, StepForce shape);
+
+  /// Makes the faces of two bodies that have just been taken through a step without force move together from its end
+  /// on, and returns the force there [N].
+  double close();
+
+  /// How fast the faces approach each other [m/s].
+  [[nodiscard]] double closing_speed() const;
 
   [[nodiscard]] std::size_t trial_count() const { return trial_count_; }
 
@@ -30,7 +38,6 @@ class ContactMatching {
   double step_by_bisection(double begin_force, StepForce shape);
   double correct(double trial_force, const UnitResponse& unit_1, const UnitResponse& unit_2);
   void integrate(double begin_force, double end_force);
-  [[nodiscard]] double closing_speed() const;
 
   const ExplicitImpact& impact_;
   UnitResponse ramp_1_;

@@ -22,8 +22,9 @@ enum class ImpactStart {
 };
 
 enum class AfterContact {
-  go_on,  ///< both bodies move on freely up to the duration
-  stop,   ///< the record ends with the third sample without compression
+  go_on,        ///< both bodies move on freely up to the duration, through each other if need be
+  stop,         ///< the record ends with the third sample without compression
+  touch_again,  ///< the bodies may meet again (explicit_contact only)
 };
 
 struct ExplicitImpact {

@@ -9,6 +9,7 @@ StrikingBody::StrikingBody(const Structure& body, double step_s, std::size_t sub
       structure_(body),
       contact_(body.contacts.col(0)),
       mass_(lumped_mass(body)),
+      face_acceleration_(contact_.cwiseQuotient(mass_)),
       stepper_(body, step_s / static_cast<double>(subcycles)),
       subcycles_(subcycles) {}
 
@@ -64,6 +65,7 @@ UnitResponse::UnitResponse(const StrikingBody& body, double begin_force) {
   motion_ = {motion.displacement.segment(first_, count), motion.velocity.segment(first_, count),
              motion.acceleration.segment(first_, count)};
   face_velocity_ = rested.face_velocity();
+  face_displacement_ = rested.face_displacement();
 }
 
 void UnitResponse::add_to(StrikingBody& body, double force) const {

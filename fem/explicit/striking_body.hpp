@@ -25,6 +25,9 @@ class StrikingBody {
   /// Acceleration under this force from now on; before the first step and where the force jumps.
   void set_force(double force) { stepper_.set_force(now.motion, contact_, force); }
 
+  /// Takes a constant force out of the acceleration that it put there: what set_force(0) would find, for less.
+  void drop_force(double force) { now.motion.acceleration -= force * face_acceleration_; }
+
   /// Through a step of the target.
   void integrate(double begin_force, double end_force);
 
@@ -34,6 +37,9 @@ class StrikingBody {
 
   /// Into the body [m/s].
   [[nodiscard]] double face_velocity() const { return contact_.dot(now.motion.velocity); }
+
+  /// Into the body [m].
+  [[nodiscard]] double face_displacement() const { return contact_.dot(now.motion.displacement); }
 
   /// vᵀCv [W].
   [[nodiscard]] double dashpot_power() const;
@@ -68,6 +74,7 @@ class StrikingBody {
   const Structure& structure_;
   Eigen::VectorXd contact_;
   Eigen::VectorXd mass_;
+  Eigen::VectorXd face_acceleration_;  // M⁻¹c
   CentralDifference stepper_;
   std::size_t subcycles_;
   std::size_t step_count_ = 0;
@@ -84,11 +91,13 @@ class UnitResponse {
   void add_to(StrikingBody& body, double force) const;
 
   [[nodiscard]] double face_velocity() const { return face_velocity_; }
+  [[nodiscard]] double face_displacement() const { return face_displacement_; }
 
  private:
   Eigen::Index first_ = 0;
   MotionState motion_;
   double face_velocity_ = 0;
+  double face_displacement_ = 0;
 };
 
 }  // namespace impulse
