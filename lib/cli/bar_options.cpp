@@ -48,8 +48,9 @@ Bar BarOptions::bar() const {
   return bar;
 }
 
-Bar read_bar_file(const std::string& path) {
-  const TomlFile file = read_toml(path);
+Bar read_bar_file(const std::string& path) { return read_bar_file(read_toml(path)); }
+
+Bar read_bar_file(const TomlFile& file) {
   const std::string kind = body_kind(file);
   if (kind != "bar" && kind != "cone")
     throw InputError(file.name, 0, 0, fmt::format("body \"{}\" is not a bar or cone", kind));

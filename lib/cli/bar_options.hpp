@@ -36,5 +36,6 @@ class BarOptions {
 /// Reads a body file of a bar or cone: the TOML that `ir-bar --config` or `ir-cone --config` reads.
 /// @throws InputError for another kind of body and for what is wrong in the file. Verified by: tests/tools/fe-impact/
 [[nodiscard]] Bar read_bar_file(const std::string& path);
+[[nodiscard]] Bar read_bar_file(const struct TomlFile& file);
 
 }  // namespace impulse
