@@ -146,20 +146,6 @@ ExplicitContact contact_of(const Request& request, const Command& command) {
   return contact;
 }
 
-/// Peak of all contacts, duration of the first.
-ImpactSummary overall(const ExplicitContactResult& result, const std::vector<ContactInterval>& periods) {
-  ImpactSummary line;
-  for (const ContactInterval& period : periods)
-    if (period.peak_force_N > line.peak_force_N) {
-      line.peak_force_N = period.peak_force_N;
-      line.peak_time_s = period.peak_time_s;
-    }
-  if (!periods.empty()) line.contact_duration_s = periods.front().end_s - periods.front().start_s;
-  line.impulse_Ns = result.trace.running_impulse_Ns.back();
-  line.energy_error = result.energy_error;
-  return line;
-}
-
 void run_contact(const Request& request, const ExplicitContact& contact, const StruckBody& first,
                  const StruckBody& second, const Structure& projectile, const Structure& target) {
   const ExplicitContactResult result = explicit_contact(projectile, target, contact);
@@ -169,14 +155,12 @@ void run_contact(const Request& request, const ExplicitContact& contact, const S
     write_traces(request.output, result.grid, {result.trace});
     return;
   }
-  const std::vector<ContactInterval> periods = contact_intervals(result.trace, result.grid);
-  ImpactSummary line = overall(result, periods);
-  const std::optional<double> mass_1 = first.free_mass_kg(), mass_2 = second.free_mass_kg();
-  if (mass_1) line.rebound_speed_m_per_s = contact.speed_m_per_s - line.impulse_Ns / *mass_1;
-  std::optional<double> restitution;
-  if (mass_1 && mass_2)
-    restitution = line.impulse_Ns * (1 / *mass_1 + 1 / *mass_2) / (contact.speed_m_per_s - contact.speed_2_m_per_s) - 1;
-  write_summary(request.output, line, periods.size(), restitution);
+  const ContactsScene scene{.speed_1_m_per_s = contact.speed_m_per_s,
+                            .speed_2_m_per_s = contact.speed_2_m_per_s,
+                            .mass_1_kg = first.free_mass_kg(),
+                            .mass_2_kg = second.free_mass_kg(),
+                            .energy_error = result.energy_error};
+  write_summary(request.output, contacts_summary({result.trace}, result.grid, scene));
 }
 
 int run(const Request& request, const Command& command) {

@@ -1,5 +1,6 @@
 #include "impulse/contact/contact_equation.hpp"
 
+#include "impulse/contact/step_means.hpp"
 #include "impulse/contact/toeplitz_solvers.hpp"
 #include "lib/contract/require.hpp"
 #include "lib/transform/real_fft.hpp"
@@ -112,14 +113,9 @@ std::vector<double> linear_velocity(const Weights& weights, const std::vector<do
   return v;
 }
 
-/// Sample n as the mean of the steps before and after it; the first is given, the last extrapolated.
-std::vector<double> on_samples(const std::vector<double>& steps, double first) {
-  const std::size_t last = steps.size();
-  std::vector<double> samples(last + 1);
-  samples[0] = first;
-  for (std::size_t n = 1; n < last; ++n) samples[n] = 0.5 * (steps[n - 1] + steps[n]);
-  samples[last] = 1.5 * steps[last - 1] - 0.5 * steps[last - 2];
-  return samples;
+/// The first sample given, the last extrapolated.
+std::vector<double> extrapolated_samples(const std::vector<double>& means, double first) {
+  return on_samples(means, first, 1.5 * means[means.size() - 1] - 0.5 * means[means.size() - 2]);
 }
 
 /// Ends contact where the force does; returns the first sample out of contact.
@@ -156,14 +152,14 @@ Solution step_solution(const Weights& body_1, const Weights& body_2, const Unifo
   for (std::size_t k = 0; k < w.size(); ++k) w[k] += body_2.w[k];
   std::vector<double> means = solve_toeplitz(w, std::vector<double>(w.size(), speed), speed, method);
   Solution solution;
-  solution.force = on_samples(means, f0);
+  solution.force = extrapolated_samples(means, f0);
   const std::size_t end = release(solution, grid);
   // A jump to tension inside the last step leaves that step what was compression in it, at most.
   if (end > 0 && end <= means.size()) means[end - 1] = std::max(means[end - 1], 0.0);
   std::fill(means.begin() + static_cast<std::ptrdiff_t>(std::min(end, means.size())), means.end(), 0.0);
   solution.impulse_Ns = grid.step_s * std::accumulate(means.begin(), means.end(), 0.0);
-  solution.velocity_1 = on_samples(convolution(body_1.w, means, means.size()), f0 * body_1.start[0]);
-  solution.velocity_2 = on_samples(convolution(body_2.w, means, means.size()), f0 * body_2.start[0]);
+  solution.velocity_1 = extrapolated_samples(convolution(body_1.w, means, means.size()), f0 * body_1.start[0]);
+  solution.velocity_2 = extrapolated_samples(convolution(body_2.w, means, means.size()), f0 * body_2.start[0]);
   return solution;
 }
 

@@ -1,5 +1,6 @@
 #include "impulse/contact/contact_march.hpp"
 
+#include "impulse/contact/step_means.hpp"
 #include "lib/contract/errors.hpp"
 #include "lib/contract/require.hpp"
 #include "lib/numerics/roots.hpp"
@@ -121,7 +122,7 @@ class Contact {
   [[nodiscard]] MarchedHistory take() {
     if (interface_.is_rigid()) {
       const std::vector<double>& mean = result_.mean_force_N;
-      result_.force_N[0] = mean[0];
+      result_.force_N = on_samples(mean, mean.front(), mean.back());
       for (std::size_t n = 0; n < result_.in_contact.size(); ++n) {
         const bool bears = (n > 0 && mean[n - 1] > 0) || (n < mean.size() && mean[n] > 0);
         result_.in_contact[n] = bears && result_.indentation_m[n] == 0;

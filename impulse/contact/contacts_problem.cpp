@@ -1,5 +1,6 @@
 #include "impulse/contact/contacts_problem.hpp"
 
+#include "impulse/contact/step_means.hpp"
 #include "lib/contract/require.hpp"
 #include "lib/transform/real_fft.hpp"
 
@@ -70,14 +71,6 @@ std::vector<double> velocity_into(const Response& body, std::size_t at,
       velocity[n] += r * ((*forces[j])[n] - (n == 0 ? 0.0 : (*forces[j])[n - 1])) / step_s;
   }
   return velocity;
-}
-
-std::vector<double> on_samples(const std::vector<double>& steps) {
-  std::vector<double> samples(steps.size() + 1);
-  samples.front() = steps.front();
-  for (std::size_t n = 1; n < steps.size(); ++n) samples[n] = 0.5 * (steps[n - 1] + steps[n]);
-  samples.back() = steps.back();
-  return samples;
 }
 
 std::vector<double> running_sum(const std::vector<double>& steps, double step_s) {
@@ -219,7 +212,7 @@ class Problem {
       mean[n] += direction * into[n];
       power[n] = direction * own_force[n] * mean[n];
     }
-    velocity = on_samples(mean);
+    velocity = on_samples(mean, mean.front(), mean.back());
     displacement = running_sum(mean, grid().step_s);
     work = running_sum(power, grid().step_s);
   }

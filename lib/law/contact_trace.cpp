@@ -41,4 +41,29 @@ std::vector<ContactInterval> contact_intervals(const ContactTrace& trace, const 
   return intervals;
 }
 
+ContactsSummary contacts_summary(const std::vector<ContactTrace>& traces, const UniformGrid& grid,
+                                 const ContactsScene& scene) {
+  ContactsSummary summary;
+  ImpactSummary& line = summary.impact;
+  line.energy_error = scene.energy_error;
+  std::optional<ContactInterval> first;
+  for (std::size_t i = 0; i < traces.size(); ++i) {
+    if (i < scene.contacts_of_body_1) line.impulse_Ns += traces[i].running_impulse_Ns.back();
+    for (const ContactInterval& period : contact_intervals(traces[i], grid)) {
+      ++summary.contact_count;
+      if (!first || period.start_s < first->start_s) first = period;
+      if (period.peak_force_N <= line.peak_force_N) continue;
+      line.peak_force_N = period.peak_force_N;
+      line.peak_time_s = period.peak_time_s;
+    }
+  }
+  if (first) line.contact_duration_s = first->end_s - first->start_s;
+  if (!scene.mass_1_kg) return summary;
+  line.rebound_speed_m_per_s = scene.speed_1_m_per_s - line.impulse_Ns / *scene.mass_1_kg;
+  const double closing = scene.speed_1_m_per_s - scene.speed_2_m_per_s;
+  if (scene.mass_2_kg && closing != 0)
+    summary.restitution = line.impulse_Ns * (1 / *scene.mass_1_kg + 1 / *scene.mass_2_kg) / closing - 1;
+  return summary;
+}
+
 }  // namespace impulse

@@ -1,8 +1,10 @@
 #pragma once
 
+#include "lib/law/impact_history.hpp"
 #include "lib/series/uniform_series.hpp"
 
 #include <cstddef>
+#include <optional>
 #include <vector>
 
 namespace impulse {
@@ -39,5 +41,26 @@ struct ContactInterval {
 /// zero of the indentation before its first sample and ends at the one after its last. Verified by:
 /// tests/lib/contact_trace.test.cpp
 [[nodiscard]] std::vector<ContactInterval> contact_intervals(const ContactTrace& trace, const UniformGrid& grid);
+
+/// What a summary of contacts needs beyond their traces.
+struct ContactsScene {
+  double speed_1_m_per_s = 0;
+  double speed_2_m_per_s = 0;
+  std::optional<double> mass_1_kg = std::nullopt;
+  std::optional<double> mass_2_kg = std::nullopt;  ///< of the only other body; none in a row of bodies
+  std::size_t contacts_of_body_1 = 1;              ///< the first so many traces are its contacts
+  double energy_error = 0;
+};
+
+struct ContactsSummary {
+  ImpactSummary
+      impact;  ///< the largest peak, the duration of the first period, the impulse on body 1 from all its contacts
+  std::size_t contact_count = 0;      ///< periods of contact
+  std::optional<double> restitution;  ///< J(1/m₁ + 1/m₂)/(V₁ - V₂) - 1, J the impulse; none if a mass is not known
+};
+
+/// Verified by: tests/lib/contact_trace.test.cpp
+[[nodiscard]] ContactsSummary contacts_summary(const std::vector<ContactTrace>& traces, const UniformGrid& grid,
+                                               const ContactsScene& scene);
 
 }  // namespace impulse

@@ -76,13 +76,12 @@ void write_summary(const std::string& path, const ImpactSummary& line) {
   out.close();
 }
 
-void write_summary(const std::string& path, const ImpactSummary& line, std::size_t contact_count,
-                   std::optional<double> restitution) {
+void write_summary(const std::string& path, const ContactsSummary& summary) {
   std::vector<std::string> names = summary_names;
   names.insert(names.end(), {"contact_count", "restitution"});
-  std::vector<CsvField> fields = summary_fields(line);
-  fields.push_back(static_cast<double>(contact_count));
-  fields.push_back(optional_field(restitution));
+  std::vector<CsvField> fields = summary_fields(summary.impact);
+  fields.push_back(static_cast<double>(summary.contact_count));
+  fields.push_back(optional_field(summary.restitution));
   CsvOutput out(path, names);
   out.row(fields);
   out.close();

@@ -26,7 +26,6 @@ void write_intervals(const std::string& path, const UniformGrid& grid, const std
 
 /// The row of write_summary with two more columns: contact_count (periods of contact) and restitution (empty if a mass
 /// is not known).
-void write_summary(const std::string& path, const ImpactSummary& line, std::size_t contact_count,
-                   std::optional<double> restitution);
+void write_summary(const std::string& path, const ContactsSummary& summary);
 
 }  // namespace impulse

@@ -37,3 +37,36 @@ TEST_CASE("contact_trace: a rigid contact counts from its first to its last samp
   CHECK(periods[0].start_s == 2);
   CHECK(periods[0].end_s == 4);
 }
+
+TEST_CASE(
+    "contact_trace: the summary adds the impulses of all contacts of body 1, and knows restitution from both masses") {
+  ContactTrace first;
+  first.indentation_m = {0, 1, 1, -1};
+  first.in_contact = {false, true, true, false};
+  first.force_N = {0, 5, 9, 0};
+  first.running_impulse_Ns = {0, 2, 6, 7};
+  ContactTrace second = first;
+  second.force_N = {0, 3, 4, 0};
+  second.running_impulse_Ns = {0, 1, 2, 3};
+  ContactsScene scene{.speed_1_m_per_s = 4,
+                      .speed_2_m_per_s = -1,
+                      .mass_1_kg = 2,
+                      .mass_2_kg = 5,
+                      .contacts_of_body_1 = 2,
+                      .energy_error = 0.5};
+  const ContactsSummary both = contacts_summary({first, second}, {1, 4}, scene);
+  CHECK(both.impact.impulse_Ns == 10);
+  CHECK(both.impact.peak_force_N == 9);
+  CHECK(both.impact.peak_time_s == 2);
+  CHECK(both.impact.contact_duration_s == 2.5);
+  CHECK(both.impact.energy_error == 0.5);
+  CHECK(both.contact_count == 2);
+  CHECK(both.impact.rebound_speed_m_per_s == 4 - 10.0 / 2);
+  CHECK(*both.restitution == doctest::Approx(10 * (0.5 + 0.2) / 5 - 1));
+  // In a row of bodies only the first contact is body 1's.
+  scene.contacts_of_body_1 = 1;
+  scene.mass_2_kg = std::nullopt;
+  const ContactsSummary row = contacts_summary({first, second}, {1, 4}, scene);
+  CHECK(row.impact.impulse_Ns == 7);
+  CHECK_FALSE(row.restitution.has_value());
+}

@@ -17,29 +17,10 @@ std::vector<double> free_velocity(const std::optional<std::string>& path, const 
   if (!path) return {};
   const CsvTable table = read_csv(*path);
   if (!same_grid(uniform_time(table), grid))
-    throw InputError(table.file(), 0, 0,
-                     fmt::format("has another grid than the responses ({} samples of {:.6g} s)", grid.size, grid.step_s));
+    throw InputError(
+        table.file(), 0, 0,
+        fmt::format("has another grid than the responses ({} samples of {:.6g} s)", grid.size, grid.step_s));
   return table.column("velocity_m_per_s");
-}
-
-/// Mean speed after the impact of a free body that received `impulse_Ns`.
-ImpactSummary overall(const ContactsSolution& solution, const UniformGrid& grid, double speed,
-                      std::optional<double> mass) {
-  ImpactSummary line;
-  std::optional<ContactInterval> first;
-  for (const ContactTrace& trace : solution.traces)
-    for (const ContactInterval& interval : contact_intervals(trace, grid)) {
-      if (interval.peak_force_N > line.peak_force_N) {
-        line.peak_force_N = interval.peak_force_N;
-        line.peak_time_s = interval.peak_time_s;
-      }
-      if (!first || interval.start_s < first->start_s) first = interval;
-    }
-  if (first) line.contact_duration_s = first->end_s - first->start_s;
-  line.energy_error = solution.energy_error;
-  line.impulse_Ns = solution.traces.front().running_impulse_Ns.back();
-  if (mass) line.rebound_speed_m_per_s = speed - line.impulse_Ns / *mass;
-  return line;
 }
 
 }  // namespace
@@ -97,14 +78,14 @@ void ContactsRequest::run(const std::vector<Response>& bodies, double speed_m_pe
     write_traces(output, grid, solution.traces);
     return;
   }
-  const ImpactSummary line = overall(solution, grid, speed_m_per_s, first_mass_kg);
-  std::size_t count = 0;
-  for (const ContactTrace& trace : solution.traces) count += contact_intervals(trace, grid).size();
-  std::optional<double> restitution;
-  const double closing = speed_m_per_s - speed_2_m_per_s_.value_or(0);
-  if (first_mass_kg && last_mass_kg && bodies.size() == 2 && closing != 0)
-    restitution = line.impulse_Ns * (1 / *first_mass_kg + 1 / *last_mass_kg) / closing - 1;
-  write_summary(output, line, count, restitution);
+  const bool two_bodies = bodies.size() == 2;
+  const ContactsScene scene{.speed_1_m_per_s = speed_m_per_s,
+                            .speed_2_m_per_s = speed_2_m_per_s_.value_or(0),
+                            .mass_1_kg = first_mass_kg,
+                            .mass_2_kg = two_bodies ? last_mass_kg : std::nullopt,
+                            .contacts_of_body_1 = two_bodies ? solution.traces.size() : 1,
+                            .energy_error = solution.energy_error};
+  write_summary(output, contacts_summary(solution.traces, grid, scene));
 }
 
 }  // namespace impulse
