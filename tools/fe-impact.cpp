@@ -1,12 +1,9 @@
-#include "fem/bodies/bar_structure.hpp"
-#include "fem/bodies/mass_structure.hpp"
 #include "fem/explicit/explicit_contact.hpp"
-#include "lib/cli/bar_options.hpp"
-#include "lib/cli/config_toml.hpp"
 #include "lib/cli/law_options.hpp"
 #include "lib/cli/run_tool.hpp"
 #include "lib/contract/errors.hpp"
 #include "lib/law/impact_csv.hpp"
+#include "tools/support/body_file.hpp"
 
 #include <fmt/format.h>
 
@@ -71,47 +68,19 @@ struct Request {
   }
 };
 
-/// What a body file describes: a bar or a rigid mass.
-struct StruckBody {
-  std::optional<Bar> bar;
-  double mass_kg = 0;
-
-  /// Of a body that nothing holds and that has an end.
-  [[nodiscard]] std::optional<double> free_mass_kg() const {
-    if (bar && bar->far_end != FarEnd::free) return std::nullopt;
-    return mass_kg;
-  }
-};
-
-StruckBody read_body(const std::string& path) {
-  const TomlFile file = read_toml(path);
-  const std::string kind = body_kind(file);
-  if (kind == "mass") {
-    StruckBody body;
-    read_config_file(file, [&](Command& command) {
-      command.body("mass");
-      command.quantity("--mass", body.mass_kg, "kg", Sign::positive, "mass").required();
-    });
-    return body;
-  }
-  if (kind != "bar" && kind != "cone")
-    throw InputError(file.name, 0, 0, fmt::format("body \"{}\" is not a bar, cone or mass", kind));
-  Bar bar = read_bar_file(file);
-  if (bar.faces.size() != 1)
-    throw InputError(file.name, 0, 0, "face: a body of an impact has one face in contact, A or B");
-  const double mass = mass_kg(bar.profile);
-  return {std::move(bar), mass};
+DescribedBody read_struck_body(const std::string& path) {
+  DescribedBody body = read_body_file(path);
+  if (body.contact_count != 1)
+    throw InputError(path == "-" ? "stdin" : path, 0, 0, "face: a body of an impact has one face in contact, A or B");
+  return body;
 }
 
-Structure discretised(const StruckBody& body, const std::string& role, std::optional<std::size_t> elements,
+Structure discretised(const DescribedBody& body, const std::string& role, std::optional<std::size_t> elements,
                       double step_s) {
-  if (!body.bar) {
-    if (elements) throw UsageError("--" + role + "-elements", fmt::format("the {} is a mass, which has none", role));
-    return mass_structure(body.mass_kg);
-  }
+  if (elements && body.divisible == Divisible::no)
+    throw UsageError("--" + role + "-elements", fmt::format("the {} is a {}, which has none", role, body.kind));
   try {
-    return bar_structure(*body.bar,
-                         elements ? bar_mesh_by_count(*body.bar, *elements) : bar_mesh_by_step(*body.bar, step_s));
+    return body.structure({step_s, elements});
   } catch (const std::invalid_argument& error) {
     throw std::invalid_argument(fmt::format("{}: {}", role, error.what()));
   }
@@ -146,8 +115,8 @@ ExplicitContact contact_of(const Request& request, const Command& command) {
   return contact;
 }
 
-void run_contact(const Request& request, const ExplicitContact& contact, const StruckBody& first,
-                 const StruckBody& second, const Structure& projectile, const Structure& target) {
+void run_contact(const Request& request, const ExplicitContact& contact, const DescribedBody& first,
+                 const DescribedBody& second, const Structure& projectile, const Structure& target) {
   const ExplicitContactResult result = explicit_contact(projectile, target, contact);
   if (result.in_contact_at_end) warn_of_end(result.grid);
   if (request.contacts) write_intervals(*request.contacts, result.grid, {result.trace});
@@ -157,8 +126,8 @@ void run_contact(const Request& request, const ExplicitContact& contact, const S
   }
   const ContactsScene scene{.speed_1_m_per_s = contact.speed_m_per_s,
                             .speed_2_m_per_s = contact.speed_2_m_per_s,
-                            .mass_1_kg = first.free_mass_kg(),
-                            .mass_2_kg = second.free_mass_kg(),
+                            .mass_1_kg = first.free_mass_kg,
+                            .mass_2_kg = second.free_mass_kg,
                             .energy_error = result.energy_error};
   write_summary(request.output, contacts_summary({result.trace}, result.grid, scene));
 }
@@ -166,8 +135,8 @@ void run_contact(const Request& request, const ExplicitContact& contact, const S
 int run(const Request& request, const Command& command) {
   if (request.projectile == "-" && request.target == "-")
     throw UsageError("--target", "standard input ('-') can be read only once");
-  const StruckBody first = read_body(request.projectile);
-  const StruckBody second = read_body(request.target);
+  const DescribedBody first = read_struck_body(request.projectile);
+  const DescribedBody second = read_struck_body(request.target);
   (void)grid_over(request.impact.duration_s, request.impact.step_s);  // refuses too many samples before they cost time
   std::optional<ExplicitContact> contact;
   if (request.asks_contact(command)) contact = contact_of(request, command);
@@ -181,7 +150,7 @@ int run(const Request& request, const Command& command) {
   const ExplicitImpactResult result = explicit_impact(projectile, target, request.impact);
   if (!result.history.separated) warn_of_end(result.history.grid);
   if (request.summary)
-    write_summary(request.output, summary(result.history, request.impact.speed_m_per_s, first.mass_kg));
+    write_summary(request.output, summary(result.history, request.impact.speed_m_per_s, first.free_mass_kg));
   else
     write_history(request.output, result.history);
   return 0;
@@ -193,13 +162,12 @@ int main(int argc, char** argv) {
   Command command(
       {"fe-impact", "impact force of two bodies by explicit finite elements",
        "Central differences with lumped mass; the projectile may take several steps within one of the target; the face "
-       "velocities agree "
-       "at the end of each step of the target. Elements are as short as stability allows, equal in travel time, so "
-       "that waves cross them "
-       "in one step where the lengths permit; then the lattice is free of dispersion. Bodies: bar, cone, mass. With a "
-       "law, a gap, a "
-       "--speed-2, --recontact or --contacts the record has the columns of ir-impact's. Shares no code with the "
-       "impulse-response method.",
+       "velocities agree at the end of each step of the target. Elements are as short as stability allows, equal in "
+       "travel time, so that waves cross them in one step where the lengths permit; then the lattice is free of "
+       "dispersion. A body is a " +
+           body_kinds() +
+           ". With a law, a gap, a --speed-2, --recontact or --contacts the record has the columns of ir-impact's. "
+           "Shares no code with the impulse-response method.",
        "printf 'body = \"bar\"\\nsegment = [\"0.5m,10mm,steel\"]\\nface = \"A\"\\n' > rod.toml\n"
        "fe-impact --projectile rod.toml --target rod.toml --speed 1m/s --step 0.5us --duration 300us --summary"});
   Request request;
