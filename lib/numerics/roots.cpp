@@ -2,8 +2,8 @@
 
 #include "lib/contract/errors.hpp"
 #include "lib/contract/require.hpp"
+#include "lib/numerics/gsl_status.hpp"
 
-#include <gsl/gsl_errno.h>
 #include <gsl/gsl_math.h>
 #include <gsl/gsl_roots.h>
 
@@ -15,10 +15,6 @@
 
 namespace impulse {
 namespace {
-
-/// GSL's default handler aborts the process; we look at the statuses instead. Once, because the handler is
-/// process-wide.
-void use_statuses() { [[maybe_unused]] static const bool once = (gsl_set_error_handler_off(), true); }
 
 /// What GSL's C callback is given: an exception must not unwind through C frames, so it is kept here and rethrown.
 struct Callback {
@@ -66,7 +62,7 @@ double root(const gsl_root_fsolver_type* method, const std::function<double(doub
           "f({}) = {} and f({}) = {} have the same sign; the bracket must hold a change of sign", low, f_low, high,
           f_high);
 
-  use_statuses();
+  use_gsl_statuses();
   const std::unique_ptr<gsl_root_fsolver, FreeSolver> solver(gsl_root_fsolver_alloc(method));
   if (!solver) throw std::bad_alloc();
   Callback callback{f};
