@@ -55,7 +55,7 @@ struct Request {
     command.quantity("--speed-2", speed_2_m_per_s, "m/s", Sign::any,
                      "of the target, in the direction of --speed (default: 0)");
     command.flag("--recontact", recontact, "let bodies that parted touch again");
-    command.text("--contacts", contacts, "FILE", "write a row for every period of contact to FILE");
+    command.output_file("--contacts", contacts, "write a row for every period of contact to FILE");
     command.flag("--summary", summary, "write one row about the impact instead of its history");
     command.output(output);
   }

@@ -41,6 +41,9 @@ class Command {
     /// Given on the command line or in the configuration file, or else a UsageError.
     Option& required();
 
+    /// The file may give a text also as a bare number: `stiffness = 5e9`.
+    Option& or_number();
+
    private:
     friend class Command;
     enum class Toml { text, number, count, flag };
@@ -142,8 +145,11 @@ class Command {
   void files(const std::string& metavar, std::vector<std::string>& values, std::size_t least, std::size_t most,
              const std::string& help);
 
-  /// `-o FILE`; "" or `-` is stdout.
+  /// `-o FILE`; "" or `-` is stdout. A FILE that cannot be written is refused when the option is read.
   Option& output(std::string& path);
+
+  /// A further file that the tool writes; refused alike.
+  Option& output_file(const std::string& flag, std::optional<std::string>& path, const std::string& help);
 
   /// The kind of body the options describe: a configuration file that says `body = "..."` must say the same.
   void body(const std::string& kind);

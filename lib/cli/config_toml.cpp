@@ -7,6 +7,7 @@
 #include <toml++/toml.h>
 
 #include <algorithm>
+#include <string_view>
 
 namespace impulse {
 namespace {
@@ -29,6 +30,30 @@ TomlValue toml_value(const toml::node& node) {
   return value;
 }
 
+std::string line_of(const std::string& text, std::size_t number) {
+  std::size_t begin = 0;
+  for (std::size_t line = 1; line < number; ++line) {
+    begin = text.find('\n', begin);
+    if (begin == text.npos) return "";
+    ++begin;
+  }
+  std::string line = text.substr(begin, text.find('\n', begin) - begin);
+  constexpr std::size_t most = 60;
+  return line.size() > most ? line.substr(0, most) + " ..." : line;
+}
+
+/// The parser's reason without the part that says where in its grammar it was, after the line that it stumbled over.
+std::string syntax_message(const std::string& text, std::size_t line, std::string reason) {
+  if (reason.find("utf-8") != reason.npos) return "is not a text in UTF-8, and so not TOML";
+  constexpr std::string_view prefix = "Error while parsing ";
+  if (const std::size_t colon = reason.find(": "); reason.starts_with(prefix) && colon != reason.npos)
+    reason.erase(0, colon + 2);
+  return fmt::format(
+      "'{}' is not TOML ({}); write one key = value a line, texts and quantities with a unit in quotes: "
+      "length = \"400mm\"",
+      line_of(text, line), reason);
+}
+
 }  // namespace
 
 TomlFile read_toml(const std::string& path) {
@@ -39,7 +64,7 @@ TomlFile read_toml(const std::string& path) {
     table = toml::parse(text, file.name);
   } catch (const toml::parse_error& error) {
     throw InputError(file.name, error.source().begin.line, error.source().begin.column,
-                     std::string(error.description()));
+                     syntax_message(text, error.source().begin.line, std::string(error.description())));
   }
   std::vector<TomlEntry>& entries = file.entries;
   for (const auto& [key, node] : table) {

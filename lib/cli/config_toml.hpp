@@ -33,7 +33,7 @@ struct TomlFile {
 };
 
 /// Reads a TOML file once, front to back, so that it may be a pipe; `-` is stdin.
-/// @throws InputError if it cannot be read, with file:line:column at a syntax error.
+/// @throws InputError if it cannot be read, with file:line:column, the line and what to write at a syntax error.
 /// Verified by: tests/lib/command.test.cpp
 [[nodiscard]] TomlFile read_toml(const std::string& path);
 

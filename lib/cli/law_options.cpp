@@ -46,8 +46,9 @@ void LawOptions::declare(Command& command) {
       "--law", laws_, "rigid|linear|hertz|tan-sun|TABLE.csv",
       "contact law (default: rigid); a table has columns indentation_m,loading_force_N[,unloading_force_N]; of "
       "several contacts all the same, or repeated for each with its constants, linear:1e8N/m");
-  command.text("--stiffness", stiffness_, "STIFFNESS",
-               "contact stiffness: N/m for linear, N/m^1.5 for hertz and tan-sun");
+  command
+      .text("--stiffness", stiffness_, "STIFFNESS", "contact stiffness: N/m for linear, N/m^1.5 for hertz and tan-sun")
+      .or_number();
   command.quantity("--tip-radius", tip_radius_m_, "m", Sign::positive,
                    "radius of the striking tip: hertz and tan-sun, in place of --stiffness");
   command.parsed<Material>("--tip-material", tip_material_, parse_material, "MATERIAL",

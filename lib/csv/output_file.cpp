@@ -32,7 +32,26 @@ std::string followed(const std::string& path) {
   return error ? path : target.string();
 }
 
+[[noreturn]] void fail_to_write(const std::string& name, int error) {
+  throw OutputError(fmt::format("cannot write {}: {}", name, std::strerror(error)));
+}
+
 }  // namespace
+
+void require_writable(const std::string& path) {
+  if (is_stdout(path)) return;
+  struct stat status {};
+  if (::stat(path.c_str(), &status) == 0 && S_ISDIR(status.st_mode)) fail_to_write(path, EISDIR);
+  if (is_written_directly(path)) {
+    if (::access(path.c_str(), W_OK) != 0) fail_to_write(path, errno);
+    return;
+  }
+  const std::filesystem::path folder = std::filesystem::path(followed(path)).parent_path();
+  const std::string name = folder.empty() ? "." : folder.string();
+  if (::stat(name.c_str(), &status) != 0) fail_to_write(path, errno);
+  if (!S_ISDIR(status.st_mode)) fail_to_write(path, ENOTDIR);
+  if (::access(name.c_str(), W_OK | X_OK) != 0) fail_to_write(path, errno);
+}
 
 OutputFile::OutputFile(const std::string& path) : path_(is_stdout(path) ? "stdout" : path), target_(path_) {
   buffer_.reserve(buffer_size);
@@ -97,9 +116,7 @@ void OutputFile::close() {
   temporary_.clear();
 }
 
-void OutputFile::fail(int error) const {
-  throw OutputError(fmt::format("cannot write {}: {}", path_, std::strerror(error)));
-}
+void OutputFile::fail(int error) const { fail_to_write(path_, error); }
 
 void write_text(const std::string& path, std::string_view text) {
   OutputFile file(path);

@@ -34,6 +34,11 @@ class OutputFile {
   int descriptor_ = -1;
 };
 
+/// Whether an OutputFile of this path could be opened now; nothing is created, so that what is dear to compute can be
+/// refused beforehand.
+/// @throws OutputError saying why it could not.
+void require_writable(const std::string& path);
+
 /// Writes one text as a whole. @throws as OutputFile.
 void write_text(const std::string& path, std::string_view text);
 

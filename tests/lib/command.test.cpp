@@ -7,6 +7,7 @@
 
 #include <doctest/doctest.h>
 
+#include <array>
 #include <optional>
 #include <stdexcept>
 #include <string>
@@ -33,7 +34,9 @@ struct Values {
   Material material;
   std::vector<Segment> segments;
   std::vector<std::string> files;
+  std::string stiffness;
   std::string output;
+  std::optional<std::string> second_output;
 };
 
 void declare(Command& command, Values& v) {
@@ -51,7 +54,9 @@ void declare(Command& command, Values& v) {
   command.choice("--faces", v.faces, {{"A", Face::a}, {"B", Face::b}}, "faces");
   command.parsed("--material", v.material, parse_material, "MATERIAL", "material");
   command.parsed("--segment", v.segments, parse_segment, "L,D,MATERIAL", "segments");
+  command.text("--stiffness", v.stiffness, "STIFFNESS", "its unit depends").or_number();
   command.output(v.output);
+  command.output_file("--second", v.second_output, "more");
 }
 
 const ToolPage page{"ir-test", "Tests the front end.", "", "ir-test --speed 5m/s"};
@@ -153,6 +158,21 @@ TEST_CASE("command: refusals name the flag") {
   CHECK(refusal({"--speed", "1", "x.csv"}) == "unexpected argument 'x.csv'");
 }
 
+TEST_CASE("command: a file that cannot be written is refused before anything is computed") {
+  const TemporaryDirectory directory;
+  const std::string file = directory.write("a.csv", "kept");
+  CHECK(refusal({"--speed", "1", "-o", "/nowhere/a.csv"}) ==
+        "--output: cannot write /nowhere/a.csv: No such file or directory");
+  CHECK(refusal({"--speed", "1", "-o", "/"}) == "--output: cannot write /: Is a directory");
+  CHECK(refusal({"--speed", "1", "--second", (file + "/b.csv").c_str()}) ==
+        "--second: cannot write " + file + "/b.csv: Not a directory");
+  CHECK(refusal({"--speed", "1", "-o", "/dev/none"}) == "--output: cannot write /dev/none: No such file or directory");
+  const Parsed p({"--speed", "1", "-o", file.c_str(), "--second", "-"});
+  CHECK(p.values.output == file);
+  CHECK(directory.read("a.csv") == "kept");
+  CHECK(directory.file_count() == 1);
+}
+
 TEST_CASE("command: positional files") {
   CHECK(Parsed({"--speed", "1"}, 2).values.files == std::vector<std::string>{"-"});
   CHECK(Parsed({"a", "--speed", "1", "-"}, 2).values.files == std::vector<std::string>{"a", "-"});
@@ -210,15 +230,18 @@ TEST_CASE("command: every kind of option is read from TOML, and the command line
 TEST_CASE("command: refusals of TOML name file, line, column and key") {
   CHECK(config_refusal("gap = 1\nspeeed = 2\n") == "p.toml:2:1: unknown key 'speeed'");
   CHECK(config_refusal("[table]\na = 1\n").starts_with("p.toml:1:"));
-  CHECK(config_refusal("gap = \n").starts_with("p.toml:1:"));
-  CHECK(config_refusal("gap = 1\ngap = 2\n").starts_with("p.toml:2:"));
+  CHECK(config_refusal("output = \"/nowhere/a\"\n") ==
+        "p.toml:1:10: output: cannot write /nowhere/a: No such file or directory");
+  CHECK(config_refusal("stiffness = true\n") ==
+        "p.toml:1:13: stiffness: expected a number or a string with a unit, not a boolean");
   CHECK(config_refusal("gap = \"5kg\"\n") ==
         "p.toml:1:7: gap: '5kg': wrong dimension: expected a length such as 400mm");
   CHECK(config_refusal("gap = true\n") == "p.toml:1:7: gap: expected a number or a string with a unit, not a boolean");
   CHECK(config_refusal("gap = [1, 2]\n") == "p.toml:1:1: gap: takes one value, not an array");
   CHECK(config_refusal("note = []\n") == "p.toml:1:1: note: the array is empty");
   CHECK(config_refusal("note = [\"a\", 2]\n") == "p.toml:1:14: note: expected a string, not an integer");
-  CHECK(config_refusal("note = [\"a\",\n \"b\"]\nsegment = [\"1m,1mm,steel\",\n  \"1m,1mm,stel\"]\n").starts_with("p.toml:4:3: segment: unknown material"));
+  CHECK(config_refusal("note = [\"a\",\n \"b\"]\nsegment = [\"1m,1mm,steel\",\n  \"1m,1mm,stel\"]\n")
+            .starts_with("p.toml:4:3: segment: unknown material"));
   CHECK(config_refusal("repeat = 1.5\n") == "p.toml:1:10: repeat: expected a whole number, not a number");
   CHECK(config_refusal("thin = \"yes\"\n") == "p.toml:1:8: thin: expected true or false, not a string");
   CHECK(config_refusal("title = 5\n") == "p.toml:1:9: title: expected a string, not an integer");
@@ -230,6 +253,37 @@ TEST_CASE("command: refusals of TOML name file, line, column and key") {
   CHECK(refusal({"--speed", "1", "--config", "/nowhere/p.toml"}) == "/nowhere/p.toml: No such file or directory");
   CHECK(refusal({"--config", "a", "--config", "b"}) == "--config: given twice");
   CHECK(refusal({"--config", ""}) == "--config: the name of the file is empty");
+}
+
+TEST_CASE("command: what is not TOML is shown with the way to write it") {
+  const std::string way =
+      "; write one key = value a line, texts and quantities with a unit in quotes: length = \"400mm\"";
+  for (const auto& [text, place, line] : std::vector<std::array<std::string, 3>>{
+           {"gap = 1\nspeed = \n", "p.toml:2:9: ", "'speed = ' is not TOML ("},
+           {"gap = 400mm\n", "p.toml:1:10: ", "'gap = 400mm' is not TOML ("},
+           {"gap = 1\ngap = 2\n", "p.toml:2:7: ", "'gap = 2' is not TOML (cannot redefine existing"},
+           {"title = \"a\n", "p.toml:1:", "'title = \"a' is not TOML ("},
+           {"just a text\n", "p.toml:1:", "'just a text' is not TOML ("}}) {
+    CAPTURE(text);
+    const std::string message = config_refusal(text);
+    CAPTURE(message);
+    CHECK(message.starts_with(place));
+    CHECK(message.find(line) != message.npos);
+    CHECK(message.find("Error while parsing") == message.npos);
+    CHECK(message.ends_with(way));
+  }
+  CHECK(config_refusal("title = \"\xff\"\n").ends_with(": is not a text in UTF-8, and so not TOML"));
+  const std::string endless = config_refusal("gap = \"" + std::string(5000, 'x') + "\n");
+  CHECK(endless.size() < 500);
+}
+
+TEST_CASE("command: a text may also be a bare number in TOML where it says so") {
+  const TemporaryDirectory directory;
+  for (const char* value : {"5e9", "5000000000", "\"5e9\""}) {
+    const std::string path = directory.write("p.toml", std::string("stiffness = ") + value + "\n");
+    const Parsed p({"--speed=1", "--config", path.c_str()});
+    CHECK(std::stod(p.values.stiffness) == 5e9);
+  }
 }
 
 TEST_CASE("command: what the command line overrides must still be of the right type") {
@@ -264,6 +318,6 @@ TEST_CASE("body_kind tells what a body file describes") {
   CHECK(body_kind(read_toml(directory.write("p.toml", "length = 1\nbody = \"beam\"\n"))) == "beam");
   CHECK_THROWS_WITH_AS((void)body_kind(read_toml(directory.write("p.toml", "length = 1\n"))),
                        doctest::Contains("p.toml: no key 'body'"), InputError);
-  CHECK_THROWS_WITH_AS((void)body_kind(read_toml(directory.write("p.toml", "body = 3\n"))), doctest::Contains("p.toml:1:1: body:"),
-                       InputError);
+  CHECK_THROWS_WITH_AS((void)body_kind(read_toml(directory.write("p.toml", "body = 3\n"))),
+                       doctest::Contains("p.toml:1:1: body:"), InputError);
 }

@@ -66,6 +66,18 @@ TEST_CASE("law options: the stiffness has the unit of the law") {
         "--stiffness: '5N/m^1.5': wrong dimension: expected a stiffness such as 2kN/mm");
 }
 
+TEST_CASE("law options: in a file the stiffness may be a bare number; a text keeps its dimension") {
+  const TemporaryDirectory directory;
+  const auto law_in = [&](const std::string& stiffness) {
+    return law_of({"--config", directory.write("law.toml", "law = \"linear\"\nstiffness = " + stiffness + "\n")});
+  };
+  CHECK(law_in("5e9").force(at, {}) == rounded(5e9 * at));
+  CHECK(law_in("5000000000").force(at, {}) == rounded(5e9 * at));
+  CHECK(law_in("\"5GN/m\"").force(at, {}) == rounded(5e9 * at));
+  CHECK_THROWS_WITH_AS(law_in("\"5kg\""), "--stiffness: '5kg': wrong dimension: expected a stiffness such as 2kN/mm",
+                       UsageError);
+}
+
 TEST_CASE("law options: hertz and tan-sun take the stiffness of a tip on a target") {
   const double k = hertz_stiffness(6.35e-3, {"tip", 210e9, 7960, 0.3}, 7.9e9);
   CHECK(law_of(with({"--law", "hertz"}, tip)).force(at, {}) == rounded(k * std::pow(at, 1.5)));

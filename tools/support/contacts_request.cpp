@@ -38,7 +38,7 @@ void ContactsRequest::declare(Command& command) {
   command.text("--free-velocity-2", free_velocity_2_, "FILE",
                "velocity_m_per_s of the last body's face were there no contact");
   command.flag("--recontact", recontact_, "let bodies that parted touch again");
-  command.text("--contacts", contacts_, "FILE", "write a row for every period of contact to FILE");
+  command.output_file("--contacts", contacts_, "write a row for every period of contact to FILE");
 }
 
 bool ContactsRequest::asked(const Command& command) const {
