@@ -23,7 +23,10 @@ tail -n 1 "$out/terminal.txt" | grep -qx "$page" || fail "the last line is not t
 text=$(sed 's/<[^>]*>/ /g' "$page")
 if grep -Eiwq -- '-?(nan|inf)' <<<"$text"; then fail "a number is not a number"; fi
 if grep -o 'https\?://[^"]*' "$page" | grep -qvx 'http://www.w3.org/2000/svg'; then fail "an address"; fi
-if grep -Eq '(src|xlink:href|@import|<script|<link)' "$page" || grep -Eq 'href="[^#]' "$page"; then fail "a reference to the outside"; fi
+if grep -Eq '(src|xlink:href|@import|<script|<link)' "$page"; then fail "a reference to the outside"; fi
+for target in $(grep -o 'href="[^#"][^"]*"' "$page" | sed 's/href="//; s/"//'); do
+  [[ $target != */* && -s $out/report/$target ]] || fail "a link to $target, which is not there"
+done
 
 # Tags balance, and no id stands twice.
 awk '
