@@ -48,10 +48,12 @@ std::string curve_style(Mark mark, std::size_t index) {
   return fmt::format("lw 1.8 lc rgb '{}' dt {}", colour, 1 + index / colours.size());
 }
 
-bool x_has_extent(const Picture& picture) {
-  const double first = picture.curves.front().x.front();
+/// Whether the curves' values of an axis differ at all; gnuplot widens an axis of none by itself.
+bool has_extent(const Picture& picture, const std::vector<double> Curve::*values) {
+  const double first = (picture.curves.front().*values).front();
   for (const Curve& curve : picture.curves)
-    if (std::any_of(curve.x.begin(), curve.x.end(), [&](double x) { return x != first; })) return true;
+    for (const double value : curve.*values)
+      if (value != first) return true;
   return false;
 }
 
@@ -152,7 +154,8 @@ std::string gnuplot_script(const Picture& picture, PictureFormat format) {
     script +=
         "set rmargin 4\nset border 3 lc rgb '#404040'\nset tics nomirror\nset grid lt 1 lc rgb '#d8d8d8' lw 0.8\n"
         "set xzeroaxis lt 1 lc rgb '#808080' lw 0.8\n";
-  if (!picture.frame.x.range && x_has_extent(picture)) script += "set autoscale xfix\n";
+  if (!picture.frame.x.range && has_extent(picture, &Curve::x)) script += "set autoscale xfix\n";
+  if (!picture.frame.y.range && has_extent(picture, &Curve::y)) script += "set autoscale yfix\n";
   if (!picture.frame.y.range && !picture.frame.y.logarithmic) script += "set offsets 0, 0, graph 0.05, graph 0.05\n";
   // Above the axes: nowhere else is it sure not to cover a curve.
   const bool legend = has_legend(picture);
