@@ -1,7 +1,7 @@
 #include "lib/material/material.hpp"
 
-#include "lib/cli/quantity.hpp"
 #include "lib/contract/require.hpp"
+#include "lib/material/constants_text.hpp"
 
 #include <cmath>
 #include <vector>
@@ -11,16 +11,6 @@ namespace {
 
 MaterialRecord thesis_material(const char* name, double youngs_modulus_Pa, double density_kg_per_m3) {
   return {{name, youngs_modulus_Pa, density_kg_per_m3, std::nullopt}, "thesis, section 4.5; [OdeenLundberg1991]"};
-}
-
-std::vector<std::string> split_at_colons(const std::string& text) {
-  std::vector<std::string> parts;
-  std::size_t begin = 0;
-  for (std::size_t end = 0; end != std::string::npos; begin = end + 1) {
-    end = text.find(':', begin);
-    parts.push_back(text.substr(begin, end == std::string::npos ? end : end - begin));
-  }
-  return parts;
 }
 
 const Material* find_material(const std::string& name) {
@@ -35,26 +25,8 @@ std::string known_names() {
   return names;
 }
 
-bool looks_like_number(const std::string& text) { return !text.empty() && text.find_first_of("0123456789.+-") == 0; }
-
-double positive_quantity(const std::string& text, const std::string& unit, const char* what) {
-  double value = 0;
-  try {
-    value = parse_quantity(text, unit);
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(fmt::format("{} {}", what, error.what()));
-  }
-  require(value > 0, "{} '{}' is not positive", what, text);
-  return value;
-}
-
 double poissons_ratio(const std::string& text) {
-  double value = 0;
-  try {
-    value = parse_quantity(text, "1");
-  } catch (const std::invalid_argument& error) {
-    throw std::invalid_argument(fmt::format("Poisson's ratio {}", error.what()));
-  }
+  const double value = constant(text, "1", "Poisson's ratio");
   require(value > -1 && value < 0.5, "Poisson's ratio {} is outside (-1, 0.5)", value);
   return value;
 }
@@ -88,7 +60,7 @@ Material parse_material(const std::string& text) {
           "material '{}' has {} part{}; expected modulus:density or modulus:density:Poisson's ratio such as "
           "2.8GPa:1150kg/m3:0.40",
           text, parts.size(), parts.size() == 1 ? "" : "s");
-  Material material{text, positive_quantity(parts[0], "Pa", "modulus"), positive_quantity(parts[1], "kg/m3", "density"),
+  Material material{text, positive_constant(parts[0], "Pa", "modulus"), positive_constant(parts[1], "kg/m3", "density"),
                     std::nullopt};
   if (parts.size() == 3) material.poissons_ratio = poissons_ratio(parts[2]);
   return material;
