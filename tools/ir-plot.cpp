@@ -66,7 +66,8 @@ void declare(Command& command, Options& options) {
                               "logarithmic axes");
   command.flag("--equal", options.equal_scales, "the same scale on both axes, for the shapes of bodies");
   command.text("--size", options.size, "WIDTH,HEIGHT", "in pixels (PDF: hundredths of an inch; default: 900,500)");
-  command.text("-o,--output", options.output, "FILE", "write FILE.svg, FILE.png or FILE.pdf");
+  command.output(options.output,
+                 "write the picture to FILE.svg, FILE.png or FILE.pdf (default: in characters on standard output)");
 }
 
 PictureFormat picture_format(const std::string& path) {

@@ -161,9 +161,8 @@ void Command::files(const std::string& metavar, std::vector<std::string>& values
   parser_->most_files = most;
 }
 
-Command::Option& Command::output(std::string& path) {
-  return parsed<std::string>("-o,--output", path, writable_path, "FILE",
-                             "write the result to FILE (default: standard output)");
+Command::Option& Command::output(std::string& path, const std::string& help) {
+  return parsed<std::string>("-o,--output", path, writable_path, "FILE", help);
 }
 
 Command::Option& Command::output_file(const std::string& flag, std::optional<std::string>& path,

@@ -146,7 +146,7 @@ class Command {
              const std::string& help);
 
   /// `-o FILE`; "" or `-` is stdout. A FILE that cannot be written is refused when the option is read.
-  Option& output(std::string& path);
+  Option& output(std::string& path, const std::string& help = "write the result to FILE (default: standard output)");
 
   /// A further file that the tool writes; refused alike.
   Option& output_file(const std::string& flag, std::optional<std::string>& path, const std::string& help);

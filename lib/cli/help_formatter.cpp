@@ -61,7 +61,12 @@ std::string HelpFormatter::make_option_name(const CLI::Option* option, bool is_p
 }
 
 std::string HelpFormatter::make_option_opts(const CLI::Option* option) const {
-  return option->get_positional() || option->get_type_size() == 0 ? "" : " " + option->get_type_name();
+  if (option->get_positional() || option->get_type_size() == 0) return "";
+  std::string value = " " + option->get_type_name();
+  // Two blanks before the description, which help2man asks for, or else a new line.
+  const std::size_t length = 2 + option->get_name(false, true).size() + value.size();
+  if (length + 1 == get_column_width()) value += ' ';
+  return value;
 }
 
 }  // namespace impulse
