@@ -1,6 +1,7 @@
 // Marching with a contact law: against direct O(N²) marching (vectorised history sums), and in units of one real
 // transform of twice the length.
 #include "impulse/contact/contact_march.hpp"
+#include "impulse/contact/contacts_problem.hpp"
 #include "lib/transform/real_fft.hpp"
 
 #include <benchmark/benchmark.h>
@@ -69,5 +70,32 @@ void direct_history(benchmark::State& state) {
   }
 }
 BENCHMARK(direct_history)->Arg(1 << 14)->Arg(1 << 17)->Unit(benchmark::kMillisecond)->Iterations(1);
+
+/// A mass against a body of so many modes, by either history.
+void modal_body(benchmark::State& state, HistoryMethod method) {
+  const auto steps = static_cast<std::size_t>(state.range(0));
+  const Eigen::Index modes = state.range(1);
+  ModalModel body{Eigen::VectorXd::LinSpaced(modes, 1e3, 1e6), Eigen::VectorXd::Constant(modes, 1e-3),
+                  Eigen::MatrixXd::Constant(modes, 1, std::sqrt(2.0 / static_cast<double>(modes))),
+                  Eigen::MatrixXd::Zero(1, 1), Eigen::MatrixXd::Zero(1, 1)};
+  ModalModel mass{Eigen::VectorXd::Zero(1), Eigen::VectorXd::Zero(1), Eigen::MatrixXd::Ones(1, 1),
+                  Eigen::MatrixXd::Zero(1, 1), Eigen::MatrixXd::Zero(1, 1)};
+  const UniformGrid grid{1e-6, steps + 1};
+  ContactsProblem problem;
+  problem.speed_m_per_s = {1, 0};
+  problem.laws = {ContactLaw::hertz(1e9)};
+  problem.gaps_m = {0};
+  problem.recontact = Recontact::yes;
+  problem.history = method;
+  for (auto _ : state) benchmark::DoNotOptimize(solve_contacts(std::vector<ContactBody>{mass, body}, grid, problem));
+  state.counters["ns_per_step"] = benchmark::Counter(
+      static_cast<double>(steps) * 1e-9, benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
+}
+BENCHMARK_CAPTURE(modal_body, modes, HistoryMethod::modes)
+    ->ArgsProduct({{1 << 12, 1 << 15, 1 << 18}, {16, 128, 512, 2048}})
+    ->Unit(benchmark::kMillisecond);
+BENCHMARK_CAPTURE(modal_body, convolution, HistoryMethod::convolution)
+    ->ArgsProduct({{1 << 12, 1 << 15, 1 << 18}, {16, 128, 512, 2048}})
+    ->Unit(benchmark::kMillisecond);
 
 }  // namespace

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "impulse/contact/force_history.hpp"
 #include "lib/law/contact_law.hpp"
 #include "lib/series/uniform_series.hpp"
 
@@ -36,21 +37,27 @@ struct MarchedHistory {
 
 /// Contact forces of p contacts with laws, opening and closing, in one march.
 ///
-/// The force of contact i is F̄_i,n over step n; with w_ij = second differences of U_ij over Δt (contact_equation.hpp;
-/// U_ij the approach that a unit step force at j takes back at i, summed over the bodies that i and j share) the
-/// indentations at the samples are exact for that force:
+/// The force of contact i is F̄_i,n over step n; with the history of the forces past (force_history.hpp: w_ij that of
+/// the approach which a force at j takes back at i, summed over the bodies that i and j share) the indentations at the
+/// samples are exact for that force:
 ///
-///   α_i,n+1 = α_i,n + Δt [V̄_i,n - Σ_j Σ_{k≤n} w_ij,n-k (F̄_j,k - P_j)]
+///   α_i,n+1 = α_i,n + Δt [V̄_i,n - past_i,n - Σ_j w_ij,0 (F̄_j,n - P_j)]
 ///
 /// and the law holds over each step in the mean that conserves energy: F̄_n = [E(α_n+1) - E(α_n)]/(α_n+1 - α_n), E =
 /// stored + dissipated. So the work of the bodies on the contacts is what the laws took up, to the tolerance of the
 /// scalar solver, whatever the step. With a residual flexibility R the approach is α + R F and its energy E + R F²/2.
 /// A rigid contact obeys F̄ ≥ 0, α ≤ 0, F̄ α = 0 at each step's end. Contacts that feel each other within a step (w_ij,0
-/// ≠ 0) are iterated. Order 2 in Δt for laws; a rigid contact that closes inside a step loses F̄·gap, of order 1. Cost:
-/// O(p² N log² N) by relaxed convolution and a scalar equation per closed contact and step. The history is the direct
-/// sum to rounding. `Recontact::no`: a contact that opened (a rigid one: for three steps) stays open.
-/// @throws std::invalid_argument for sizes that disagree or w_ii,0 ≤ 0; ConvergenceError if an iteration does not
-/// settle. Verified by: tests/impulse/contact_march.test.cpp
+/// ≠ 0) are iterated. Order 2 in Δt for laws; a rigid contact that closes inside a step loses F̄·gap, of order 1.
+/// `history` is that of no force; it is left at the record's end. Cost: the history's, and a scalar equation per closed
+/// contact and step. `Recontact::no`: a contact that opened (a rigid one: for three steps) stays open.
+/// @throws std::invalid_argument for sizes that disagree, w_ii,0 ≤ 0, or a law too stiff for the step (the message has
+/// one that is not); ConvergenceError if an iteration does not settle. Verified by:
+/// tests/impulse/contact_march.test.cpp
+[[nodiscard]] std::vector<MarchedHistory> march_contacts(const UniformGrid& grid,
+                                                         const std::vector<MarchedContact>& contacts,
+                                                         ForceHistory& history, Recontact recontact);
+
+/// The same with the kernels w_ij, p² of them, convolved.
 [[nodiscard]] std::vector<MarchedHistory> march_contacts(const UniformGrid& grid,
                                                          const std::vector<MarchedContact>& contacts,
                                                          const std::vector<std::vector<double>>& weights,

@@ -1,5 +1,7 @@
 #include "lib/law/contact_trace.hpp"
 
+#include "lib/contract/require.hpp"
+
 #include <algorithm>
 
 namespace impulse {
@@ -39,6 +41,18 @@ std::vector<ContactInterval> contact_intervals(const ContactTrace& trace, const 
     intervals.push_back(interval);
   }
   return intervals;
+}
+
+BodyEnergy translational_energy(const FreeBody& body, const UniformGrid& grid, std::span<const ContactTrace> contacts) {
+  require(body.mass_kg > 0, "mass {} kg is not positive", body.mass_kg);
+  BodyEnergy energy{body.number, std::vector<double>(grid.size)};
+  for (std::size_t k = 0; k < grid.size; ++k) {
+    double momentum = body.mass_kg * body.speed_m_per_s;
+    for (const ContactTrace& contact : contacts)
+      momentum += body.direction * (contact.running_impulse_Ns[k] - body.preload_N * grid.time_s(k));
+    energy.translational_J[k] = 0.5 * momentum * momentum / body.mass_kg;
+  }
+  return energy;
 }
 
 ContactsSummary contacts_summary(const std::vector<ContactTrace>& traces, const UniformGrid& grid,

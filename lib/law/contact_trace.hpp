@@ -5,6 +5,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <span>
 #include <vector>
 
 namespace impulse {
@@ -41,6 +42,25 @@ struct ContactInterval {
 /// zero of the indentation before its first sample and ends at the one after its last. Verified by:
 /// tests/lib/contact_trace.test.cpp
 [[nodiscard]] std::vector<ContactInterval> contact_intervals(const ContactTrace& trace, const UniformGrid& grid);
+
+/// A body that nothing moves but its contacts and its own vibration.
+struct FreeBody {
+  std::size_t number = 1;    ///< in the row, from 1
+  double mass_kg = 0;        ///< > 0
+  double speed_m_per_s = 0;  ///< V of its centre of mass at t = 0
+  double direction = 1;      ///< of the contact forces on it, in that of V: -1 where it is pushed back
+  double preload_N = 0;      ///< P at each contact, which something else balances
+};
+
+struct BodyEnergy {
+  std::size_t body = 1;
+  std::vector<double> translational_J;
+};
+
+/// Energy p²/2m of its centre of mass, p = mV ± Σ (∫F dt - P t) over its contacts.
+/// @throws std::invalid_argument for a mass that is not positive. Verified by: tests/lib/contact_trace.test.cpp
+[[nodiscard]] BodyEnergy translational_energy(const FreeBody& body, const UniformGrid& grid,
+                                              std::span<const ContactTrace> contacts);
 
 /// What a summary of contacts needs beyond their traces.
 struct ContactsScene {

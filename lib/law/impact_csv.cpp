@@ -3,6 +3,16 @@
 #include "lib/csv/csv_output.hpp"
 
 namespace impulse {
+namespace {
+
+std::vector<double> energy_balance(const ContactTrace& trace) {
+  std::vector<double> sum(trace.work_1_J.size());
+  for (std::size_t k = 0; k < sum.size(); ++k)
+    sum[k] = trace.work_1_J[k] + trace.work_2_J[k] + (trace.stored_J[k] - trace.stored_J[0]) + trace.dissipated_J[k];
+  return sum;
+}
+
+}  // namespace
 
 void write_history(const std::string& path, const ImpactHistory& history) {
   std::vector<double> time(history.grid.size);
@@ -13,17 +23,20 @@ void write_history(const std::string& path, const ImpactHistory& history) {
                    {"velocity_2_m_per_s", history.velocity_2_m_per_s}});
 }
 
-void write_traces(const std::string& path, const UniformGrid& grid, const std::vector<ContactTrace>& traces) {
+void write_traces(const std::string& path, const UniformGrid& grid, const std::vector<ContactTrace>& traces,
+                  const std::vector<BodyEnergy>& bodies) {
   std::vector<double> time(grid.size);
   for (std::size_t k = 0; k < time.size(); ++k) time[k] = grid.time_s(k);
   std::vector<NamedColumn> columns{{"time_s", time}};
-  std::vector<std::vector<double>> closed;
+  std::vector<std::vector<double>> closed, balance;
   closed.reserve(traces.size());
+  balance.reserve(traces.size());
   for (std::size_t i = 0; i < traces.size(); ++i) {
     const ContactTrace& trace = traces[i];
     const std::string contact = traces.size() == 1 ? "" : fmt::format("{}", i + 1);
     const std::string number = contact.empty() ? "" : "_" + contact;
     closed.emplace_back(trace.in_contact.begin(), trace.in_contact.end());
+    balance.push_back(energy_balance(trace));
     const auto add = [&](const std::string& name, const std::vector<double>& values) {
       columns.push_back({name, values});
     };
@@ -39,7 +52,10 @@ void write_traces(const std::string& path, const UniformGrid& grid, const std::v
     add(fmt::format("dissipated{}_J", number), trace.dissipated_J);
     add(fmt::format("work_{}1_J", contact), trace.work_1_J);
     add(fmt::format("work_{}2_J", contact), trace.work_2_J);
+    add(fmt::format("energy_balance{}_J", number), balance.back());
   }
+  for (const BodyEnergy& body : bodies)
+    columns.push_back({fmt::format("translational_energy_{}_J", body.body), body.translational_J});
   write_csv(path, columns);
 }
 

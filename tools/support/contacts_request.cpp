@@ -1,5 +1,6 @@
 #include "tools/support/contacts_request.hpp"
 
+#include "lib/cli/progress.hpp"
 #include "lib/contract/errors.hpp"
 #include "lib/csv/csv_table.hpp"
 #include "lib/law/impact_csv.hpp"
@@ -8,6 +9,8 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <functional>
+#include <span>
 
 namespace impulse {
 namespace {
@@ -38,6 +41,14 @@ void ContactsRequest::declare(Command& command) {
   command.text("--free-velocity-2", free_velocity_2_, "FILE",
                "velocity_m_per_s of the last body's face were there no contact");
   command.flag("--recontact", recontact_, "let bodies that parted touch again");
+  command.choice<HistoryMethod>(
+      "--history", history_,
+      {{"auto", HistoryMethod::automatic},
+       {"convolution", HistoryMethod::convolution},
+       {"modes", HistoryMethod::modes}},
+      "how a march remembers forces on bodies given by modes: convolution with their sampled response, O(N log^2 N), "
+      "or "
+      "advancing the modes, O(N modes), the cheaper and taken by auto; sampled responses are always convolved");
   command.output_file("--contacts", contacts_, "write a row for every period of contact to FILE");
 }
 
@@ -48,41 +59,68 @@ bool ContactsRequest::asked(const Command& command) const {
   return false;
 }
 
-ContactsProblem ContactsRequest::problem(const std::vector<Response>& bodies, double speed_m_per_s) const {
-  const std::size_t contacts = bodies.size() == 2 ? bodies[0].contact_count : bodies.size() - 1;
+ContactsProblem ContactsRequest::problem(const StruckBodies& bodies, double speed_m_per_s) const {
+  const std::size_t contacts = bodies.joint_count();
   ContactsProblem problem;
-  problem.speed_m_per_s.assign(bodies.size(), 0.0);
+  problem.speed_m_per_s.assign(bodies.count(), 0.0);
   problem.speed_m_per_s[0] = speed_m_per_s;
   problem.speed_m_per_s[1] = speed_2_m_per_s_.value_or(0);
   problem.laws = law_.laws(contacts);
   problem.gaps_m = gaps_m_;
   if (gaps_m_.size() <= 1) problem.gaps_m.assign(contacts, gaps_m_.empty() ? 0.0 : gaps_m_.front());
   problem.preload_N = preload_N_.value_or(0);
-  problem.free_velocity_first_m_per_s = free_velocity(free_velocity_1_, bodies[0].grid);
-  problem.free_velocity_last_m_per_s = free_velocity(free_velocity_2_, bodies[0].grid);
+  problem.free_velocity_first_m_per_s = free_velocity(free_velocity_1_, bodies.grid());
+  problem.free_velocity_last_m_per_s = free_velocity(free_velocity_2_, bodies.grid());
   problem.recontact = recontact_ ? Recontact::yes : Recontact::no;
+  problem.history = history_;
+  if (history_ == HistoryMethod::modes && !bodies.any_modal())
+    throw UsageError("--history", "asks for modes, but no file holds any; leave it out");
   return problem;
 }
 
-void ContactsRequest::run(const std::vector<Response>& bodies, double speed_m_per_s,
-                          std::optional<double> first_mass_kg, std::optional<double> last_mass_kg, bool summary,
+// A body that something else moves too has a momentum that its contacts alone do not tell.
+std::vector<BodyEnergy> ContactsRequest::energies(const StruckBodies& bodies, double speed_m_per_s,
+                                                  const std::vector<ContactTrace>& traces) const {
+  const std::span<const ContactTrace> all(traces);
+  const bool two_bodies = bodies.count() == 2;
+  const double preload = preload_N_.value_or(0);
+  std::vector<BodyEnergy> energies;
+  if (bodies.mass_1_kg() && !free_velocity_1_)
+    energies.push_back(translational_energy({1, *bodies.mass_1_kg(), speed_m_per_s, -1, preload}, bodies.grid(),
+                                            two_bodies ? all : all.first(1)));
+  const double speed_2 = two_bodies ? speed_2_m_per_s_.value_or(0) : 0;
+  if (bodies.mass_2_kg() && !free_velocity_2_)
+    energies.push_back(translational_energy({bodies.count(), *bodies.mass_2_kg(), speed_2, +1, preload}, bodies.grid(),
+                                            two_bodies ? all : all.last(1)));
+  return energies;
+}
+
+void ContactsRequest::run(const StruckBodies& bodies, double speed_m_per_s, bool summary,
                           const std::string& output) const {
-  const ContactsSolution solution = solve_contacts(bodies, problem(bodies, speed_m_per_s));
-  const UniformGrid& grid = bodies[0].grid;
+  ContactsProblem asked = problem(bodies, speed_m_per_s);
+  const ContactsSolution solution = [&] {
+    Progress progress("ir-impact");
+    asked.progress = std::ref(progress);
+    return solve_contacts(bodies.contact_bodies(), bodies.grid(), asked);
+  }();
+  const UniformGrid& grid = bodies.grid();
+  if (bodies.any_modal() && stderr_is_terminal())
+    fmt::print(stderr, "ir-impact: forces on bodies given by modes remembered by {} (--history)\n",
+               solution.history == HistoryMethod::modes ? "their modes" : "convolution");
   if (solution.in_contact_at_end)
     fmt::print(stderr,
                "ir-impact: the responses end during contact, after {:g} s; compute them with a longer --duration\n",
                grid.duration_s());
   if (contacts_) write_intervals(*contacts_, grid, solution.traces);
   if (!summary) {
-    write_traces(output, grid, solution.traces);
+    write_traces(output, grid, solution.traces, energies(bodies, speed_m_per_s, solution.traces));
     return;
   }
-  const bool two_bodies = bodies.size() == 2;
+  const bool two_bodies = bodies.count() == 2;
   const ContactsScene scene{.speed_1_m_per_s = speed_m_per_s,
                             .speed_2_m_per_s = speed_2_m_per_s_.value_or(0),
-                            .mass_1_kg = first_mass_kg,
-                            .mass_2_kg = two_bodies ? last_mass_kg : std::nullopt,
+                            .mass_1_kg = bodies.mass_1_kg(),
+                            .mass_2_kg = two_bodies ? bodies.mass_2_kg() : std::nullopt,
                             .contacts_of_body_1 = two_bodies ? solution.traces.size() : 1,
                             .energy_error = solution.energy_error};
   write_summary(output, contacts_summary(solution.traces, grid, scene));

@@ -3,6 +3,8 @@
 #include "impulse/contact/contacts_problem.hpp"
 #include "lib/cli/command.hpp"
 #include "lib/cli/law_options.hpp"
+#include "lib/law/impact_csv.hpp"
+#include "tools/support/struck_bodies.hpp"
 
 #include <optional>
 #include <string>
@@ -19,13 +21,15 @@ class ContactsRequest {
   /// Whether any of them was given, so that the contacts have to be marched.
   [[nodiscard]] bool asked(const Command& command) const;
 
-  /// Solves and writes: the history or (`summary`) one row to `output`, the periods of contact to --contacts. Masses,
-  /// where they are known, are those of the first and last body. Says on stderr if the record ends during contact.
-  void run(const std::vector<Response>& bodies, double speed_m_per_s, std::optional<double> first_mass_kg,
-           std::optional<double> last_mass_kg, bool summary, const std::string& output) const;
+  /// Solves and writes: the history or (`summary`) one row to `output`, the periods of contact to --contacts. Says on
+  /// stderr if the record ends during contact; on a terminal also how the forces were remembered, and the progress of
+  /// long work.
+  void run(const StruckBodies& bodies, double speed_m_per_s, bool summary, const std::string& output) const;
 
  private:
-  [[nodiscard]] ContactsProblem problem(const std::vector<Response>& bodies, double speed_m_per_s) const;
+  [[nodiscard]] ContactsProblem problem(const StruckBodies& bodies, double speed_m_per_s) const;
+  [[nodiscard]] std::vector<BodyEnergy> energies(const StruckBodies& bodies, double speed_m_per_s,
+                                                 const std::vector<ContactTrace>& traces) const;
 
   LawOptions law_;
   std::vector<double> gaps_m_;
@@ -35,6 +39,7 @@ class ContactsRequest {
   std::optional<std::string> free_velocity_2_;
   std::optional<std::string> contacts_;
   bool recontact_ = false;
+  HistoryMethod history_ = HistoryMethod::automatic;
 };
 
 }  // namespace impulse
