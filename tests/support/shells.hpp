@@ -10,18 +10,7 @@
 namespace impulse::shells {
 
 inline Laminate isotropic(double modulus_Pa, double poissons_ratio, double thickness_m, double density_kg_per_m3) {
-  Eigen::Matrix3d q;
-  q << 1, poissons_ratio, 0, poissons_ratio, 1, 0, 0, 0, (1 - poissons_ratio) / 2;
-  q *= modulus_Pa / (1 - poissons_ratio * poissons_ratio);
-  const double h = thickness_m;
-  Laminate laminate;
-  laminate.thickness_m = h;
-  laminate.extension = q * h;
-  laminate.coupling.setZero();
-  laminate.bending = q * h * h * h / 12;
-  laminate.transverse_shear.setZero();
-  laminate.mass_kg_per_m2 = density_kg_per_m3 * h;
-  return laminate;
+  return laminate({{isotropic_ply({"", modulus_Pa, density_kg_per_m3, poissons_ratio}), 0, thickness_m}});
 }
 
 inline ShellPanel panel(PanelShape shape, const Laminate& laminate, const std::string& edges, std::size_t count_x,
