@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem/elements/mass_matrix.hpp"
 #include "lib/material/profile.hpp"
 #include "lib/model/structure.hpp"
 
@@ -7,8 +8,6 @@
 #include <vector>
 
 namespace impulse {
-
-enum class MassMatrix { lumped, consistent };
 
 /// Elements of a bar: equal lengths within a segment.
 struct BarMesh {

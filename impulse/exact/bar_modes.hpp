@@ -1,17 +1,10 @@
 #pragma once
 
+#include "impulse/exact/mode_range.hpp"
 #include "lib/material/profile.hpp"
 #include "lib/model/modal_model.hpp"
 
-#include <cstddef>
-#include <limits>
-
 namespace impulse {
-
-struct ModeRange {
-  double highest_frequency_Hz = std::numeric_limits<double>::infinity();
-  std::size_t count = std::numeric_limits<std::size_t>::max();  ///< rigid-body mode included
-};
 
 /// Exact modes of a bar of cylinders and cones (one-dimensional theory).
 ///

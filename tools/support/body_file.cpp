@@ -3,6 +3,7 @@
 #include "lib/cli/config_toml.hpp"
 #include "lib/contract/errors.hpp"
 #include "tools/support/bar_body.hpp"
+#include "tools/support/beam_body.hpp"
 #include "tools/support/mass_body.hpp"
 
 #include <fmt/format.h>
@@ -20,6 +21,7 @@ struct BodyKind {
 /// By name.
 constexpr BodyKind kinds[] = {
     {"bar", read_bar_body},
+    {"beam", read_beam_body},
     {"cone", read_bar_body},
     {"mass", read_mass_body},
 };
