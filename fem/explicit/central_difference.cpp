@@ -25,6 +25,15 @@ bool is_positive_definite(const Sparse& matrix, Eigen::SimplicialLLT<Sparse>& fa
   return factorisation.info() == Eigen::Success;
 }
 
+Sparse damped(const Sparse& mass, const Eigen::VectorXd& dashpots, double step_s) {
+  require(dashpots.size() == 0 || dashpots.size() == mass.rows(), "{} dashpots for {} degrees of freedom",
+          dashpots.size(), mass.rows());
+  if (dashpots.size() == 0) return mass;
+  Sparse sum = mass;
+  for (Eigen::Index i = 0; i < dashpots.size(); ++i) sum.coeffRef(i, i) += 0.5 * step_s * dashpots[i];
+  return sum;
+}
+
 /// Three significant digits, never more than the value.
 double rounded_down(double value) {
   const double unit = std::pow(10.0, std::floor(std::log10(value)) - 2);
@@ -58,60 +67,40 @@ InternalForce linear_internal_force(const Sparse& stiffness) {
   };
 }
 
-Eigen::VectorXd lumped_mass(const Structure& body) {
-  for (Eigen::Index j = 0; j < body.mass.outerSize(); ++j)
-    for (Sparse::InnerIterator entry(body.mass, j); entry; ++entry)
-      require(entry.row() == j || entry.value() == 0,
-              "mass matrix has the entry {} at ({}, {}) (explicit integration divides by a diagonal); use lumped mass",
-              entry.value(), entry.row(), j);
-  Eigen::VectorXd mass = body.mass.diagonal();
-  for (Eigen::Index i = 0; i < mass.size(); ++i)
-    require(std::isfinite(mass[i]) && mass[i] > 0, "mass {} kg of degree of freedom {} is not positive", mass[i], i);
-  return mass;
-}
-
 MotionState MotionState::at_rest(Eigen::Index dof_count) {
   const Eigen::VectorXd zero = Eigen::VectorXd::Zero(dof_count);
   return {zero, zero, zero};
 }
 
-CentralDifference::CentralDifference(const Eigen::VectorXd& mass, const Eigen::VectorXd& dashpots,
-                                     InternalForce internal_force, double step_s)
+CentralDifference::CentralDifference(const Sparse& mass, const Eigen::VectorXd& dashpots, InternalForce internal_force,
+                                     double step_s)
     : step_s_(step_s),
-      inverse_mass_(mass.cwiseInverse()),
+      dashpots_(dashpots),
+      mass_(mass),
+      damped_mass_(damped(mass, dashpots, step_s)),
       internal_force_(std::move(internal_force)),
-      internal_(Eigen::VectorXd::Zero(mass.size())) {
+      unbalanced_(Eigen::VectorXd::Zero(mass.rows())) {
   require(std::isfinite(step_s) && step_s > 0, "step {} s is not positive", step_s);
-  require(mass.size() > 0 && mass.minCoeff() > 0, "a mass is not positive");
-  require(dashpots.size() == 0 || dashpots.size() == mass.size(), "{} dashpots for {} degrees of freedom",
-          dashpots.size(), mass.size());
-  if (dashpots.size() > 0) {
-    damping_rate_ = dashpots.cwiseProduct(inverse_mass_);
-    velocity_divisor_ = Eigen::VectorXd::Ones(mass.size()) + 0.5 * step_s_ * damping_rate_;
-  }
 }
 
 CentralDifference::CentralDifference(const Structure& body, double step_s)
-    : CentralDifference(lumped_mass(body), body.dashpots, linear_internal_force(body.stiffness), step_s) {}
+    : CentralDifference(body.mass, body.dashpots, linear_internal_force(body.stiffness), step_s) {}
 
-void CentralDifference::set_force(MotionState& state, const Eigen::VectorXd& contact, double force_N) {
-  internal_force_(state.displacement, internal_);
-  state.acceleration = inverse_mass_.cwiseProduct(force_N * contact - internal_);
-  if (damping_rate_.size() > 0) state.acceleration -= damping_rate_.cwiseProduct(state.velocity);
+void CentralDifference::set_load(MotionState& state, const Eigen::VectorXd& load) {
+  internal_force_(state.displacement, unbalanced_);
+  unbalanced_ = load - unbalanced_;
+  if (dashpots_.size() > 0) unbalanced_ -= dashpots_.cwiseProduct(state.velocity);
+  mass_.solve(unbalanced_, state.acceleration);
 }
 
-void CentralDifference::advance(MotionState& state, const Eigen::VectorXd& contact, double end_force_N) {
+void CentralDifference::advance(MotionState& state, const Eigen::VectorXd& load) {
   state.displacement += step_s_ * state.velocity + (0.5 * step_s_ * step_s_) * state.acceleration;
   state.velocity += (0.5 * step_s_) * state.acceleration;
-  internal_force_(state.displacement, internal_);
-  state.acceleration = inverse_mass_.cwiseProduct(end_force_N * contact - internal_);
-  if (damping_rate_.size() == 0) {
-    state.velocity += (0.5 * step_s_) * state.acceleration;
-    return;
-  }
+  internal_force_(state.displacement, unbalanced_);
+  unbalanced_ = load - unbalanced_;
+  if (dashpots_.size() > 0) unbalanced_ -= dashpots_.cwiseProduct(state.velocity);
+  damped_mass_.solve(unbalanced_, state.acceleration);
   state.velocity += (0.5 * step_s_) * state.acceleration;
-  state.velocity.array() /= velocity_divisor_.array();
-  state.acceleration -= damping_rate_.cwiseProduct(state.velocity);
 }
 
 double stability_limit_s(const Structure& body) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem/explicit/mass_solver.hpp"
 #include "lib/model/structure.hpp"
 
 #include <Eigen/Dense>
@@ -15,10 +16,6 @@ using InternalForce = std::function<void(const Eigen::VectorXd& displacement, Ei
 /// any other as a sparse matrix.
 [[nodiscard]] InternalForce linear_internal_force(const Eigen::SparseMatrix<double>& stiffness);
 
-/// The diagonal of a lumped mass matrix [kg].
-/// @throws std::invalid_argument if M has another entry or a mass is not positive.
-[[nodiscard]] Eigen::VectorXd lumped_mass(const Structure& body);
-
 /// State of motion at one time: displacement [m], velocity [m/s], acceleration [m/s²].
 struct MotionState {
   Eigen::VectorXd displacement;
@@ -28,42 +25,42 @@ struct MotionState {
   [[nodiscard]] static MotionState at_rest(Eigen::Index dof_count);
 };
 
-/// Explicit central differences with lumped mass M, diagonal dashpots C and a load F·c:
+/// Explicit central differences with mass M, diagonal dashpots C and a load p [N]:
 ///
 ///   d ← d + Δt v + ½Δt² a_old
-///   v ← v + ½Δt (a_old + a_new),   M a_new = F c - f(d) - C v_new
+///   v ← v + ½Δt (a_old + a_new),   M a_new = p - f(d) - C v_new
 ///
-/// C acts on the new velocity, which a diagonal solves point by point; dashpots therefore do not lower the stability
-/// limit Δt ≤ 2/ω_max. Order 2. A force sampled at t_k acts on [t_k-1, t_k+1] with the weight Δt: a jump that falls on
-/// a sample is its mean of both sides. Without elements fixed to the ground momentum changes by ½Δt(F_old + F_new).
-/// No allocation after construction.
+/// C acts on the new velocity, (M + ½Δt C) a_new = p - f(d) - C (v + ½Δt a_old); dashpots therefore do not lower the
+/// stability limit Δt ≤ 2/ω_max. Lumped mass divides; consistent mass is factorised once. Order 2. A load sampled at
+/// t_k acts on [t_k-1, t_k+1] with the weight Δt: a jump that falls on a sample is its mean of both sides. Without
+/// elements fixed to the ground momentum changes by ½Δt(p_old + p_new). With lumped mass no allocation after
+/// construction.
 /// @throws std::invalid_argument on construction unless sizes agree and step and masses are positive.
 /// Verified by: tests/fem/central_difference.test.cpp
 class CentralDifference {
  public:
   /// `dashpots` may be empty. Does not look at stability: see require_stable_step.
-  CentralDifference(const Eigen::VectorXd& mass, const Eigen::VectorXd& dashpots, InternalForce internal_force,
-                    double step_s);
+  CentralDifference(const Eigen::SparseMatrix<double>& mass, const Eigen::VectorXd& dashpots,
+                    InternalForce internal_force, double step_s);
 
-  /// Linear body: its lumped mass, dashpots and stiffness.
+  /// Linear body: its mass, dashpots and stiffness.
   CentralDifference(const Structure& body, double step_s);
 
-  /// Acceleration of the state under the force F on contact vector c; to be called once before the first step, and
-  /// wherever the force jumps.
-  void set_force(MotionState& state, const Eigen::VectorXd& contact, double force_N);
+  /// Acceleration of the state under this load; to be called once before the first step, and wherever the load jumps.
+  void set_load(MotionState& state, const Eigen::VectorXd& load);
 
-  /// One step, F at its end.
-  void advance(MotionState& state, const Eigen::VectorXd& contact, double end_force_N);
+  /// One step, `load` at its end.
+  void advance(MotionState& state, const Eigen::VectorXd& load);
 
   [[nodiscard]] double step_s() const { return step_s_; }
 
  private:
   double step_s_;
-  Eigen::VectorXd inverse_mass_;
-  Eigen::VectorXd damping_rate_;      // C/M, empty if there are no dashpots
-  Eigen::VectorXd velocity_divisor_;  // 1 + ½Δt C/M, likewise
+  Eigen::VectorXd dashpots_;  // empty if there are none
+  MassSolver mass_;
+  MassSolver damped_mass_;  // M + ½Δt C
   InternalForce internal_force_;
-  Eigen::VectorXd internal_;
+  Eigen::VectorXd unbalanced_;
 };
 
 /// 2/ω_max [s] of K u = ω²M u, rounded down to be safe: λM - K is positive definite exactly if λ > ω_max², so bisection

@@ -39,7 +39,8 @@ struct ExplicitImpact {
 
 /// A body at the end of the record.
 struct BodyBalance {
-  double momentum_Ns = 0;       ///< Σ m v, positive in the direction in which the projectile arrives
+  double momentum_Ns = 0;       ///< rᵀMv, positive in the direction in which the projectile arrives; 0 of a body that
+                                ///< is held or turns, without a rigid translation r
   double kinetic_energy_J = 0;  ///< Σ ½ m v²
   double strain_energy_J = 0;   ///< ½ dᵀKd
   double dissipated_J = 0;      ///< ∫ vᵀCv dt in the dashpots, v relative to the motion before impact
@@ -79,7 +80,7 @@ struct ExplicitImpactResult {
 /// (step Δt = h/c, front on the samples). There the nodes fall into two sublattices that only a jump off the samples
 /// sets against each other: an alternating strain that does no work and that force and velocities do not see.
 /// `direct` and `bisection` agree to 1e-9 of the peak. The projectile's subcycles do not destabilise the pair (tried
-/// over 30 ms without separation, m = 1 .. 7). No allocation in the loop but GSL's in `bisection`.
+/// over 30 ms without separation, m = 1 .. 7).
 /// @throws std::invalid_argument unless speed, step and duration are positive and finite, subcycles ≥ 1, each body has
 /// one contact and lumped mass, both steps are stable, and the projectile is free to fly;
 /// ConvergenceError if bisection misses its tolerance.

@@ -9,36 +9,28 @@
 
 namespace impulse {
 
-LawContact::LawContact(StrikingBody& projectile, StrikingBody& target, const ContactLaw& law, double indentation_m)
-    : projectile_(projectile),
-      target_(target),
-      law_(law),
-      held_1_(projectile, 1),
-      held_2_(target, 1),
-      compliance_(held_1_.face_displacement() + held_2_.face_displacement()),
-      indentation_m_(indentation_m) {
+LawContact::LawContact(const ContactLaw& law, double residual_flexibility_m_per_N, double indentation_m)
+    : law_(law), residual_(residual_flexibility_m_per_N), indentation_m_(indentation_m) {
   require(!law.is_rigid(), "a rigid contact has no law of indentation");
 }
 
-double LawContact::step(double flight_m) {
-  projectile_.drop_force(mean_force_);
-  target_.drop_force(mean_force_);
-  projectile_.integrate(0, 0);
-  target_.integrate(0, 0);
-  const double free = flight_m - projectile_.face_displacement() - target_.face_displacement();
+LawContact::Answer LawContact::answer(double free_approach_m, double compliance_m_per_N) const {
   const double opens_at = law_.permanent_indentation(history_);
-  if (open_for_good_ || (free <= opens_at && indentation_m_ <= opens_at)) {
-    mean_force_ = 0;
-    indentation_m_ = free;
-    return 0;
-  }
-  const double end = end_indentation(free);
-  mean_force_ = mean_force(end);
-  held_1_.add_to(projectile_, mean_force_);
-  held_2_.add_to(target_, mean_force_);
-  history_ = law_.advanced(history_, end);
-  indentation_m_ = end;
-  return mean_force_;
+  if (open_for_good_ || (free_approach_m <= opens_at && indentation_m_ <= opens_at)) return {free_approach_m, 0, 0};
+  const double end = end_indentation(free_approach_m, compliance_m_per_N);
+  return {end, mean_force(end), law_.force(end, history_)};
+}
+
+void LawContact::accept(const Answer& answer) {
+  const double opens_at = law_.permanent_indentation(history_);
+  const bool stayed_open = answer.indentation_m <= opens_at && indentation_m_ <= opens_at;
+  if (!open_for_good_ && !stayed_open) history_ = law_.advanced(history_, answer.indentation_m);
+  indentation_m_ = answer.indentation_m;
+  mean_force_ = answer.mean_force_N;
+}
+
+double LawContact::approach(double indentation) const {
+  return residual_ == 0 ? indentation : indentation + residual_ * law_.force(indentation, history_);
 }
 
 double LawContact::mean_force(double end) const {
@@ -49,12 +41,15 @@ double LawContact::mean_force(double end) const {
     return (law_.force(begin, history_) + 4 * middle + law_.force(end, history_)) / 6;
   }
   const LawHistory after = law_.advanced(history_, end);
-  const double stored = law_.stored_energy(end, after) - law_.stored_energy(begin, history_);
-  return (stored + after.dissipated_J - history_.dissipated_J) / (end - begin);
+  const double force_begin = law_.force(begin, history_), force_end = law_.force(end, history_);
+  const double taken_up = law_.stored_energy(end, after) - law_.stored_energy(begin, history_) + after.dissipated_J -
+                          history_.dissipated_J +
+                          0.5 * residual_ * (force_end - force_begin) * (force_end + force_begin);
+  return taken_up / (end - begin + residual_ * (force_end - force_begin));
 }
 
-double LawContact::end_indentation(double free) const {
-  const auto excess = [&](double end) { return end - free + compliance_ * mean_force(end); };
+double LawContact::end_indentation(double free, double compliance) const {
+  const auto excess = [&](double end) { return approach(end) - free + compliance * mean_force(end); };
   const double last = law_.largest_possible_indentation_m();
   const double high = std::min(free, last);
   const double over = excess(high);
@@ -68,8 +63,6 @@ double LawContact::end_indentation(double free) const {
   while (excess(high - width) > 0) width *= 2;
   return bracketed_root(excess, high - width, high, {.absolute = 1e-17 * scale, .relative = 1e-15});
 }
-
-bool LawContact::in_contact() const { return !open_for_good_ && depth_m() > 0; }
 
 double LawContact::force_N() const { return open_for_good_ ? 0 : law_.force(indentation_m_, history_); }
 

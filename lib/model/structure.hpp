@@ -16,6 +16,10 @@ struct Structure {
       contacts;  ///< n × p; column i is cᵢ: cᵢᵀu is the displacement *in the direction of the force* (into the body)
   Eigen::MatrixXd outputs;          ///< n × q functionals of the displacement, for reports
   Eigen::MatrixXd wave_admittance;  ///< p × p, H(0+) of the continuous body [m/(N s)]; zero where it has none
+  Eigen::MatrixXd residual_flexibility;  ///< R, p × p [m/N]: what the contacts move at once beyond cᵀu, RF, the static
+                                         ///< answer of modes that were left out; empty: none
+  Eigen::VectorXd translation;  ///< rigid motion r with c₁ᵀr = 1 and Kr = 0, for bodies that arrive with a speed; empty:
+                                ///< all degrees of freedom alike, if that is one
 };
 
 }  // namespace impulse

@@ -133,8 +133,8 @@ TEST_CASE("what a mesh by step gives is stable at that step, tapered segments in
 
 TEST_CASE("meshes that cannot be are refused") {
   const Bar bar = bars::composite();
-  CHECK_THROWS_WITH_AS((void)bar_mesh_by_count(bar, 100'000'000'000), doctest::Contains("more than a bar takes (1e+06)"),
-                       std::invalid_argument);
+  CHECK_THROWS_WITH_AS((void)bar_mesh_by_count(bar, 100'000'000'000),
+                       doctest::Contains("more than a bar takes (1e+06)"), std::invalid_argument);
   CHECK_THROWS_WITH_AS((void)bar_mesh_by_count(bar, 3), "3 elements do not mesh 4 segments (each needs one)",
                        std::invalid_argument);
   CHECK_THROWS_WITH_AS((void)bar_mesh_by_step(bar, 30e-6),
@@ -143,7 +143,8 @@ TEST_CASE("meshes that cannot be are refused") {
                        std::invalid_argument);
   CHECK_THROWS_WITH_AS((void)bar_mesh_by_step(bar, 0), "step 0 s is not positive", std::invalid_argument);
   CHECK_THROWS_WITH_AS((void)bar_mesh_by_step(bar, 1e-15),
-                       "step 1e-15 s makes 8.01e+10 elements in segment 1 (more than 1e+06); use a longer step", std::invalid_argument);
+                       "step 1e-15 s makes 8.01e+10 elements in segment 1 (more than 1e+06); use a longer step",
+                       std::invalid_argument);
   CHECK_THROWS_WITH_AS((void)bar_structure(bar, {{1, 2}}), "a mesh of 2 segments for a bar of 4",
                        std::invalid_argument);
   CHECK_THROWS_WITH_AS((void)bar_structure(bar, {{1, 0, 1, 1}}), "segment 2 has no element", std::invalid_argument);
