@@ -131,23 +131,29 @@ void BodiesHistory::push(std::span<const double> forces) {
     observer_(static_cast<double>(steps_) / static_cast<double>(grid_.size - 1));
 }
 
-std::vector<double> BodiesHistory::velocity_into(const ContactSide& at,
-                                                 const std::vector<std::vector<double>>& forces) const {
-  const ContactBody& body = bodies_[at.body];
-  std::vector<const std::vector<double>*> own(impulse::contact_count(body), nullptr);
+std::vector<const std::vector<double>*> BodiesHistory::of_body(
+    std::size_t body, const std::vector<std::vector<double>>& of_joints) const {
+  std::vector<const std::vector<double>*> own(impulse::contact_count(bodies_[body]), nullptr);
   for (std::size_t j = 0; j < joints_.size(); ++j)
     for (const ContactSide& there : sides(joints_[j]))
-      if (there.body == at.body) own[there.contact] = &forces[j];
+      if (there.body == body) own[there.contact] = &of_joints[j];
+  return own;
+}
+
+std::vector<double> BodiesHistory::velocity_into(const ContactSide& at,
+                                                 const std::vector<std::vector<double>>& mean_forces,
+                                                 const std::vector<std::vector<double>>& forces) const {
+  const ContactBody& body = bodies_[at.body];
+  const std::vector<const std::vector<double>*> means = of_body(at.body, mean_forces);
   std::vector<double> velocity =
-      modal_[at.body] ? modal_velocity(*modal_[at.body], at, own) : sampled_velocity(*response_of(body), at, own);
-  // A residual flexibility R adds R F', the difference of the force at the step's ends: here of its means, to order 1
-  // at worst and only in the face's motion.
-  for (std::size_t j = 0; j < own.size(); ++j) {
+      modal_[at.body] ? modal_velocity(*modal_[at.body], at, means) : sampled_velocity(*response_of(body), at, means);
+  const std::vector<const std::vector<double>*> samples = of_body(at.body, forces);
+  for (std::size_t j = 0; j < samples.size(); ++j) {
     const double r = residual_flexibility(body, at.contact, j);
-    if (own[j] == nullptr || r == 0) continue;
-    const std::vector<double>& force = *own[j];
+    if (samples[j] == nullptr || r == 0) continue;
+    const std::vector<double>& force = *samples[j];
     for (std::size_t n = 0; n < velocity.size(); ++n)
-      velocity[n] += r * (force[n] - (n == 0 ? 0.0 : force[n - 1])) / grid_.step_s;
+      velocity[n] += r * (force[n + 1] - (n == 0 ? 0.0 : force[n])) / grid_.step_s;
   }
   return velocity;
 }

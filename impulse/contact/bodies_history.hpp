@@ -53,9 +53,10 @@ class BodiesHistory final : public ForceHistory {
   [[nodiscard]] double past(std::size_t i) const override;
   void push(std::span<const double> forces) override;
 
-  /// Mean velocity into a body at one of its contacts over each step, once all steps were pushed: `forces` are the
-  /// means over the steps at each joint that were.
+  /// Mean velocity into a body at one of its contacts over each step, once all steps were pushed. `mean_forces` are
+  /// those, joint by joint; `forces` the same at the samples, from which a residual flexibility takes its part R ΔF.
   [[nodiscard]] std::vector<double> velocity_into(const ContactSide& at,
+                                                  const std::vector<std::vector<double>>& mean_forces,
                                                   const std::vector<std::vector<double>>& forces) const;
 
  private:
@@ -67,6 +68,8 @@ class BodiesHistory final : public ForceHistory {
     std::vector<std::vector<double>> past;
   };
   void add_sampled_weights();
+  [[nodiscard]] std::vector<const std::vector<double>*> of_body(
+      std::size_t body, const std::vector<std::vector<double>>& of_joints) const;
   [[nodiscard]] std::vector<double> sampled_velocity(const Response& body, const ContactSide& at,
                                                      const std::vector<const std::vector<double>*>& forces) const;
   [[nodiscard]] std::vector<double> modal_velocity(const ModalBody& body, const ContactSide& at,

@@ -32,7 +32,7 @@ struct MarchedHistory {
   std::vector<double> residual_J;     ///< in the residual flexibility: R F²/2, the bodies' own
   std::vector<double> dissipated_J;
   std::vector<double> force_N;   ///< at the samples: the law's; of a rigid contact the mean of the neighbouring steps
-  std::vector<bool> in_contact;  ///< at the samples
+  std::vector<bool> in_contact;  ///< at the samples; a rigid contact opens with the first of three steps without force
 };
 
 /// Contact forces of p contacts with laws, opening and closing, in one march.

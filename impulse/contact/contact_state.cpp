@@ -7,6 +7,11 @@
 #include <cmath>
 
 namespace impulse {
+namespace {
+
+constexpr std::size_t patience = 3;  ///< steps without force that end a rigid contact
+
+}  // namespace
 
 SeriesLaw::SeriesLaw(const ContactLaw& law, double residual_flexibility_m_per_N)
     : law_(law.is_rigid() && residual_flexibility_m_per_N > 0 ? ContactLaw::linear(1 / residual_flexibility_m_per_N)
@@ -92,8 +97,8 @@ void ContactState::accept(double force, double free) {
 }
 
 void ContactState::finish_if_open(Recontact recontact) {
-  const std::size_t patience = interface_.is_rigid() ? 3 : 0;
-  if (recontact == Recontact::no && touched_ && !closed() && open_steps_ >= patience) finished_ = true;
+  const std::size_t open_for = interface_.is_rigid() ? patience : 0;
+  if (recontact == Recontact::no && touched_ && !closed() && open_steps_ >= open_for) finished_ = true;
 }
 
 MarchedHistory ContactState::take() {
@@ -104,8 +109,24 @@ MarchedHistory ContactState::take() {
       const bool bears = (n > 0 && mean[n - 1] > 0) || (n < mean.size() && mean[n] > 0);
       result_.in_contact[n] = bears && result_.indentation_m[n] == 0;
     }
+    bridge_wave_fronts();
   }
   return std::move(result_);
+}
+
+// A front that arrives between samples takes the force of a rigid contact below zero for two steps at most.
+void ContactState::bridge_wave_fronts() {
+  std::vector<bool>& closed = result_.in_contact;
+  std::size_t open = patience;  // samples since the last closed one
+  for (std::size_t n = 0; n < closed.size(); ++n) {
+    if (!closed[n]) {
+      ++open;
+      continue;
+    }
+    if (open < patience)
+      for (std::size_t k = n - open; k < n; ++k) closed[k] = true;
+    open = 0;
+  }
 }
 
 // The law's indentation at the step's end. Force and indentation grow together, so it lies between the free one and

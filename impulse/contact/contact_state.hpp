@@ -56,6 +56,7 @@ class ContactState {
   void settle_preload();
   [[nodiscard]] bool closed() const;
   void record();
+  void bridge_wave_fronts();
 
   const MarchedContact& given_;
   SeriesLaw interface_;

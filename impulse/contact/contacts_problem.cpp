@@ -51,7 +51,8 @@ class Problem {
     const std::vector<MarchedContact> contacts = marched_contacts();
     BodiesHistory history(bodies_, joints_, grid_, given_.progress);
     const std::vector<MarchedHistory> histories = march_contacts(grid_, contacts, history, given_.recontact);
-    const std::vector<std::vector<double>> beyond = forces_beyond_preload(histories);
+    const ForcesBeyondPreload beyond{beyond_preload(histories, &MarchedHistory::mean_force_N),
+                                     beyond_preload(histories, &MarchedHistory::force_N)};
     ContactsSolution solution;
     double mismatch = 0;
     double scale = 0;
@@ -104,18 +105,24 @@ class Problem {
     return contacts;
   }
 
-  [[nodiscard]] std::vector<std::vector<double>> forces_beyond_preload(
-      const std::vector<MarchedHistory>& histories) const {
+  /// A column of forces of every contact, less the preload.
+  [[nodiscard]] std::vector<std::vector<double>> beyond_preload(const std::vector<MarchedHistory>& histories,
+                                                                std::vector<double> MarchedHistory::*column) const {
     std::vector<std::vector<double>> forces;
     for (const MarchedHistory& history : histories) {
-      forces.push_back(history.mean_force_N);
+      forces.push_back(history.*column);
       for (double& force : forces.back()) force -= given_.preload_N;
     }
     return forces;
   }
 
-  [[nodiscard]] ContactTrace trace(std::size_t c, const MarchedHistory& own,
-                                   const std::vector<std::vector<double>>& beyond, const BodiesHistory& history) const {
+  struct ForcesBeyondPreload {
+    std::vector<std::vector<double>> means;
+    std::vector<std::vector<double>> samples;
+  };
+
+  [[nodiscard]] ContactTrace trace(std::size_t c, const MarchedHistory& own, const ForcesBeyondPreload& forces,
+                                   const BodiesHistory& history) const {
     ContactTrace trace;
     trace.force_N = own.force_N;
     trace.running_impulse_Ns = running_sum(own.mean_force_N, grid_.step_s);
@@ -123,10 +130,10 @@ class Problem {
     trace.stored_J = own.stored_J;
     trace.dissipated_J = own.dissipated_J;
     trace.in_contact = own.in_contact;
-    fill_side(joints_[c].first, -1, history.velocity_into(joints_[c].first, beyond), own.mean_force_N,
-              {trace.velocity_1_m_per_s, trace.displacement_1_m, trace.work_1_J});
-    fill_side(joints_[c].second, +1, history.velocity_into(joints_[c].second, beyond), own.mean_force_N,
-              {trace.velocity_2_m_per_s, trace.displacement_2_m, trace.work_2_J});
+    fill_side(joints_[c].first, -1, history.velocity_into(joints_[c].first, forces.means, forces.samples),
+              own.mean_force_N, {trace.velocity_1_m_per_s, trace.displacement_1_m, trace.work_1_J});
+    fill_side(joints_[c].second, +1, history.velocity_into(joints_[c].second, forces.means, forces.samples),
+              own.mean_force_N, {trace.velocity_2_m_per_s, trace.displacement_2_m, trace.work_2_J});
     return trace;
   }
 

@@ -175,6 +175,29 @@ TEST_CASE("contact_march: a preload holds still until something moves it") {
   for (double force : f.force_N) CHECK(force == doctest::Approx(500).epsilon(1e-12));
 }
 
+TEST_CASE("contact_march: a step too long for a law is refused with one that is not") {
+  // κ = Δt k/Z for a spring on a rod: the force alternates beyond κ = 2, and is smooth at the step of the message.
+  const double z = 300, stiffness = 3e8 / 2, m = 1e3;
+  const auto marched = [&](double step, const ContactLaw& law) {
+    const UniformGrid grid = grid_over(60 * step, step);
+    return march_contacts(grid, {struck(law, 1, grid)}, {sphere_on_rod(m, z, grid)}, Recontact::no)[0].force_N;
+  };
+  CHECK_NOTHROW(marched(3.9e-6, ContactLaw::linear(stiffness)));
+  CHECK_THROWS_WITH_AS(marched(4.1e-6, ContactLaw::linear(stiffness)),
+                       doctest::Contains("contact 1: a step of 4.1e-06 s is too long for its law, which is so stiff "
+                                         "that the force would alternate from step to step; use a step of 2e-06 s"),
+                       std::invalid_argument);
+  const std::vector<double> f = marched(2e-6, ContactLaw::linear(stiffness));
+  for (std::size_t n = 1; n < 8; ++n) CHECK(f[n] > f[n - 1]);
+  // A rigid contact is no law; unloading, however steep, is not what a step has to resolve.
+  CHECK_NOTHROW(marched(1e-4, ContactLaw::rigid()));
+  const ContactLaw steep = ContactLaw::table({{0, 0.999e-4, 1e-4}, {0, 9.99, 10}, {0, 0, 10}});
+  const UniformGrid grid = grid_over(1e-3, 1e-6);
+  const auto bounced =
+      march_contacts(grid, {struck(steep, 0.3, grid)}, {sphere_on_rod(1e-2, HUGE_VAL, grid)}, Recontact::no)[0];
+  CHECK(bounced.dissipated_J.back() > 0.9 * 0.5 * 1e-2 * 0.09);
+}
+
 TEST_CASE("contact_march: refuses what cannot be marched") {
   const UniformGrid grid = grid_over(10e-6, 1e-6);
   const auto march = [&](const std::vector<MarchedContact>& contacts, const std::vector<std::vector<double>>& w) {

@@ -109,7 +109,7 @@ void check_histories_agree(const std::vector<ContactBody>& bodies, const Uniform
 }  // namespace
 
 TEST_CASE("modal_history: its kernel is the second difference of the displacement under a step force") {
-  const UniformGrid grid = grid_over(2e-3, 1e-6);
+  const UniformGrid grid = grid_over(1e-3, 1e-6);
   for (Eigen::Index contacts : {1, 2, 3}) {
     CAPTURE(contacts);
     const ModalModel body = body_of(37, contacts, 1e-9);
@@ -131,7 +131,7 @@ TEST_CASE("modal_history: its kernel is the second difference of the displacemen
       for (std::size_t i = 0; i < p; ++i) {
         const std::vector<double> exact =
             exact_kernel(body, static_cast<Eigen::Index>(i), static_cast<Eigen::Index>(j), grid);
-        // λ is rounded once and raised to the power of the step count: some 2000 ε, more where products of
+        // λ is rounded once and raised to the power of the step count: some 1000 ε, more where products of
         // participations cancel.
         CHECK(largest_difference(kernel[i], exact) < 3e-12 * largest(exact));
       }

@@ -70,3 +70,18 @@ TEST_CASE(
   CHECK(row.impact.impulse_Ns == 7);
   CHECK_FALSE(row.restitution.has_value());
 }
+
+TEST_CASE("contact_trace: energy of a centre of mass: speed and impulses, less what a preload is balanced by") {
+  const UniformGrid grid{0.5, 3};
+  ContactTrace one, two;
+  one.running_impulse_Ns = {0, 3, 5};
+  two.running_impulse_Ns = {0, 1, 1};
+  const std::vector<ContactTrace> traces{one, two};
+  // p = 2·3 - (0, 4, 6) and p = 4·1 + (0, 3, 5) - 2 t.
+  CHECK(translational_energy({1, 2, 3, -1, 0}, grid, traces).translational_J == std::vector<double>{9, 1, 0});
+  const BodyEnergy last = translational_energy({3, 4, 1, +1, 2}, grid, std::span(traces).first(1));
+  CHECK(last.body == 3);
+  CHECK(last.translational_J == std::vector<double>{2, 4.5, 49.0 / 8});
+  CHECK_THROWS_WITH_AS((void)translational_energy({1, 0, 3, -1, 0}, grid, traces), "mass 0 kg is not positive",
+                       std::invalid_argument);
+}
