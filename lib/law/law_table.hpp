@@ -32,7 +32,7 @@ struct LawTable {
 ///
 /// so that c = ∫U da/(F_n a_n), the recovered share of αm Fm, and α0/αm, where U leaves 0, are the same for every αm.
 /// Limits: the shape of unloading does not depend on αm; a table whose U equals its F is elastic, and then not scaled.
-/// Verified by: tests/lib/contact_law.test.cpp
+/// Verified by: tests/lib/law_table.test.cpp
 class LawCurves {
  public:
   /// @throws std::invalid_argument naming the point (from 1) unless there are n ≥ 2 points of finite numbers, α and F
