@@ -98,12 +98,12 @@ void Shell::pack_geometry() {
   }
 }
 
-InternalForce Shell::internal(const Eigen::VectorXd& z) const {
+ShellForce Shell::internal(const Eigen::VectorXd& z) const {
   static const ShellKernel kernel = fastest_shell_kernel();
   constexpr std::size_t numbers = shell_coefficients * shell_lanes;
   const Eigen::VectorXd values = unrestrained_ * z;
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(values.size());
-  InternalForce result;
+  ShellForce result;
   alignas(64) std::array<double, numbers> q, f;
   const std::size_t batches = gather_dof_.size() / numbers;
   for (std::size_t batch = 0; batch < batches; ++batch) {
@@ -159,6 +159,12 @@ ShellStrain Shell::strain(const Eigen::VectorXd& z, const PanelPoint& point) con
   return {geometry.to_axes * strain.head<3>(), geometry.to_axes * strain.tail<3>()};
 }
 
+double Shell::area_m2() const {
+  double area = 0;
+  for (std::size_t k = 0; k < points_.size(); ++k) area += shell_gauss_weight(k % shell_gauss_points) * points_[k].area;
+  return area;
+}
+
 Eigen::VectorXd Shell::uniform_load(const Eigen::Vector3d& traction) const {
   const auto& functions = shell_functions_at_gauss_points();
   Eigen::VectorXd values = Eigen::VectorXd::Zero(unrestrained_.rows());
@@ -184,6 +190,12 @@ Eigen::VectorXd Shell::restrained(const Eigen::VectorXd& values) const {
   Eigen::VectorXd padded(values.size() + 1);
   padded << values, 0;
   return restrained_ * padded;
+}
+
+ElasticBody elastic_body(const Shell& shell) {
+  return {[&shell](const Eigen::VectorXd& z) { return shell.internal(z).force; },
+          [&shell](const Eigen::VectorXd& z) { return shell.tangent(z); },
+          shell.mass() / (shell.panel().laminate.mass_kg_per_m2 * shell.area_m2())};
 }
 
 Structure shell_structure(const Shell& shell, const std::vector<PanelPoint>& contacts) {

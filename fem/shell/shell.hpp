@@ -1,5 +1,6 @@
 #pragma once
 
+#include "fem/implicit/equilibrium_path.hpp"
 #include "fem/shell/shell_geometry.hpp"
 #include "fem/shell/shell_panel.hpp"
 #include "fem/shell/shell_supports.hpp"
@@ -15,7 +16,7 @@
 namespace impulse {
 
 /// Energy of a displacement and its derivative, the internal force.
-struct InternalForce {
+struct ShellForce {
   double energy_J = 0;
   Eigen::VectorXd force;
 };
@@ -52,7 +53,7 @@ class Shell {
   [[nodiscard]] const ShellPanel& panel() const { return panel_; }
 
   /// Cost: 10 µs to 35 µs for 8 × 8 elements, by the processor's vector registers.
-  [[nodiscard]] InternalForce internal(const Eigen::VectorXd& z) const;
+  [[nodiscard]] ShellForce internal(const Eigen::VectorXd& z) const;
 
   /// ∂²E/∂z², both triangles, one sparsity pattern for every z; at z = 0 the stiffness.
   [[nodiscard]] Eigen::SparseMatrix<double> tangent(const Eigen::VectorXd& z) const;
@@ -73,6 +74,9 @@ class Shell {
   [[nodiscard]] Eigen::Vector3d displacement(const Eigen::VectorXd& z, const PanelPoint& point) const;
 
   [[nodiscard]] ShellStrain strain(const Eigen::VectorXd& z, const PanelPoint& point) const;
+
+  /// Of the stress-free surface.
+  [[nodiscard]] double area_m2() const;
 
   /// Nodal forces of a force per stress-free area that keeps its direction [N/m²].
   [[nodiscard]] Eigen::VectorXd uniform_load(const Eigen::Vector3d& traction) const;
@@ -110,6 +114,9 @@ class Shell {
   std::vector<int> position_;  ///< of each element's entries in the pattern's values
   std::vector<std::size_t> position_start_;
 };
+
+/// The shell for statics; lengths are root mean square displacements. Keeps a reference to it.
+[[nodiscard]] ElasticBody elastic_body(const Shell& shell);
 
 /// K at rest, M, and a contact and output for each point: the displacement along the surface's normal there.
 /// @throws std::invalid_argument for a point outside the panel or held by a support.
