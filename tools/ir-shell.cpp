@@ -1,70 +1,39 @@
-#include "impulse/response/modal_response.hpp"
-#include "impulse/response/response_csv.hpp"
 #include "lib/cli/run_tool.hpp"
 #include "lib/contract/errors.hpp"
 #include "lib/model/modal_model.hpp"
+#include "tools/support/modal_request.hpp"
 #include "tools/support/shell_body.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
-#include <optional>
-#include <string>
 
 namespace {
 
 using namespace impulse;
 
-enum class Output { response, modes };
-
 struct Request {
   ShellOptions body;
-  Output as = Output::response;
-  std::optional<double> step_s;
-  std::optional<double> duration_s;
-  std::optional<std::size_t> modes;
-  std::string output;
+  ModalRequest modal;
 
   void declare(Command& command) {
     body.declare(command, ShellOptions::Use::impact);
-    command.quantity("--step", step_s, "s", Sign::positive, "time step of the response");
-    command.quantity("--duration", duration_s, "s", Sign::positive, "duration; round(duration/step) + 1 samples");
-    command.choice<Output>("--as", as, {{"response", Output::response}, {"modes", Output::modes}}, "what to write");
-    command.count("--modes", modes, 1,
-                  "number of modes; those left out answer statically (default: a quarter of the mesh's degrees of "
-                  "freedom, at most 200)");
-    command.output(output);
-  }
-
-  void require_consistent() const {
-    if (as == Output::modes && step_s) throw UsageError("--step", "modes have no step; leave it out with --as modes");
-    if (as == Output::modes && duration_s)
-      throw UsageError("--duration", "modes have no duration; leave it out with --as modes");
-    if (as == Output::response && !step_s) throw UsageError("--step", "is required for a response");
-    if (as == Output::response && !duration_s) throw UsageError("--duration", "is required for a response");
+    modal.declare(command,
+                  "up to the step's Nyquist frequency, at most 200 and a quarter of the mesh's degrees of freedom; the "
+                  "others answer statically");
   }
 
   [[nodiscard]] ModalModel modal_body() const {
     const Shell shell(body.panel());
     const auto unknowns = static_cast<std::size_t>(shell.size());
-    if (modes && *modes > unknowns)
+    const std::size_t count = modal.mode_count().value_or(std::clamp<std::size_t>(unknowns / 4, 1, 200));
+    if (count > unknowns)
       throw UsageError("--modes", fmt::format("{} modes are asked for, but the mesh has only {} degrees of freedom; "
                                               "use more --elements",
-                                              *modes, unknowns));
-    const std::size_t standard = std::clamp<std::size_t>(unknowns / 4, 1, 200);
-    return modal_model(shell_structure(shell, body.points()),
-                       {.mode_count = modes.value_or(standard), .residual = ModalOptions::Residual::attached});
-  }
-
-  int run() const {
-    require_consistent();
-    if (as == Output::modes) {
-      write_modes(output, modal_body());
-      return 0;
-    }
-    const UniformGrid grid = grid_over(*duration_s, *step_s);
-    write_response(output, modal_response(modal_body(), grid));
-    return 0;
+                                              count, unknowns));
+    return modal_model(shell_structure(shell, body.points()), {.mode_count = count,
+                                                               .highest_frequency_Hz = modal.highest_frequency_Hz(),
+                                                               .residual = ModalOptions::Residual::attached});
   }
 };
 
@@ -79,5 +48,9 @@ int main(int argc, char** argv) {
        "  --curvature-radius 10.76m --edges IIII --step 1us --duration 400us"});
   Request request;
   request.declare(command);
-  return run_tool(argc, argv, command, [&] { return request.run(); });
+  return run_tool(argc, argv, command, [&] {
+    request.modal.require_consistent(command);
+    request.modal.write(request.modal_body());
+    return 0;
+  });
 }

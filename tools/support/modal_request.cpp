@@ -8,12 +8,11 @@
 
 namespace impulse {
 
-void ModalRequest::declare(Command& command) {
+void ModalRequest::declare(Command& command, const std::string& standard) {
   command.choice<Output>("--as", as_, {{"response", Output::response}, {"modes", Output::modes}}, "what to write");
   command.quantity("--step", step_s_, "s", Sign::positive, "time step of the response");
   command.quantity("--duration", duration_s_, "s", Sign::positive, "duration; round(duration/step) + 1 samples");
-  command.count("--modes", modes_, 1,
-                "number of modes, rigid-body modes included (default: up to the step's Nyquist frequency)");
+  command.count("--modes", modes_, 1, "number of modes, rigid-body modes included (default: " + standard + ")");
   command.output(output_);
 }
 

@@ -13,7 +13,8 @@ namespace impulse {
 /// and -o.
 class ModalRequest {
  public:
-  void declare(Command& command);
+  /// `standard` says in the help what is taken if --modes isn't given.
+  void declare(Command& command, const std::string& standard = "up to the step's Nyquist frequency");
 
   /// @throws UsageError for options that are missing or do not go together.
   void require_consistent(const Command& command) const;
