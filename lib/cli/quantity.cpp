@@ -1,40 +1,19 @@
 #include "lib/cli/quantity.hpp"
 
+#include "lib/cli/unit_system.hpp"
 #include "lib/contract/require.hpp"
 #include "lib/csv/decimal.hpp"
 
 #include <fmt/format.h>
-#include <udunits2.h>
 
 #include <array>
 #include <cctype>
 #include <cmath>
-#include <memory>
 #include <optional>
 #include <stdexcept>
 
 namespace impulse {
 namespace {
-
-struct UnitFree {
-  void operator()(ut_unit* unit) const { ut_free(unit); }
-};
-struct SystemFree {
-  void operator()(ut_system* system) const { ut_free_system(system); }
-};
-struct ConverterFree {
-  void operator()(cv_converter* converter) const { cv_free(converter); }
-};
-using Unit = std::unique_ptr<ut_unit, UnitFree>;
-
-ut_system* unit_system() {
-  static const std::unique_ptr<ut_system, SystemFree> system = [] {
-    ut_set_error_message_handler(ut_ignore);
-    return std::unique_ptr<ut_system, SystemFree>(ut_read_xml(nullptr));
-  }();
-  if (!system) throw std::runtime_error("cannot load the unit database of UDUNITS-2 (is libudunits2-data installed?)");
-  return system.get();
-}
 
 constexpr std::string_view three_halves = "^1.5";
 
@@ -49,29 +28,15 @@ bool is_plain_unit(std::string_view text) {
   return !text.empty() && !std::isdigit(static_cast<unsigned char>(text[0])) && text[0] != '/' && text[0] != '^';
 }
 
-Unit parse_unit(const std::string& text) {
-  return Unit(is_plain_unit(text) ? ut_parse(unit_system(), text.c_str(), UT_UTF8) : nullptr);
-}
-
-bool has_radian(const ut_unit* unit) {
-  std::array<char, 256> text{};
-  const int length = ut_format(unit, text.data(), text.size() - 1, UT_ASCII | UT_DEFINITION);
-  return length > 0 && std::string_view(text.data()).find("rad") != std::string_view::npos;
-}
+Unit parse_suffix(const std::string& text) { return is_plain_unit(text) ? parse_unit(text) : nullptr; }
 
 /// Value of one `from` in `to`, nothing if the dimensions differ.
 std::optional<double> conversion_factor(const ut_unit* from, const std::string& to_name) {
-  const Unit to(ut_parse(unit_system(), to_name.c_str(), UT_UTF8));
+  const Unit to = parse_unit(to_name);
   if (!to) throw std::logic_error("unknown target unit " + to_name);
-  if (!ut_are_convertible(from, to.get()) || has_radian(from) != has_radian(to.get())) return std::nullopt;
-  const std::unique_ptr<cv_converter, ConverterFree> converter(
-      ut_get_converter(const_cast<ut_unit*>(from), to.get()));  // NOLINT: the C interface is not const-correct
-  if (!converter) return std::nullopt;
-  const double factor = cv_convert_double(converter.get(), 1.0);
-  // Convertible to UDUNITS are also reciprocals (s and Hz), which are another quantity here.
-  const double twice = cv_convert_double(converter.get(), 2.0);
-  if (std::abs(twice - 2 * factor) > 1e-9 * std::abs(factor)) return std::nullopt;
-  return factor;
+  const UnitConverter converter = unit_converter(from, to.get());
+  if (!converter || cv_convert_double(converter.get(), 0.0) != 0) return std::nullopt;
+  return cv_convert_double(converter.get(), 1.0);
 }
 
 struct Fraction {
@@ -97,11 +62,11 @@ double suffix_factor(std::string_view text, const std::string& suffix, const std
   const std::optional<Fraction> wanted = three_halves_fraction(unit);
   const std::optional<Fraction> given = three_halves_fraction(suffix);
   if (wanted.has_value() != given.has_value()) {
-    const bool known = given.has_value() || parse_unit(suffix) != nullptr;
+    const bool known = given.has_value() || parse_suffix(suffix) != nullptr;
     refuse(text, known ? "wrong dimension" : fmt::format("unknown unit '{}'", suffix), unit);
   }
   const auto factor = [&](const std::string& from_name, const std::string& to_name) {
-    const Unit from = parse_unit(from_name);
+    const Unit from = parse_suffix(from_name);
     if (!from) refuse(text, fmt::format("unknown unit '{}'", from_name), unit);
     const std::optional<double> value = conversion_factor(from.get(), to_name);
     if (!value) refuse(text, "wrong dimension", unit);

@@ -4,15 +4,20 @@
 #include "lib/contract/require.hpp"
 
 #include <csv.h>
+#include <fmt/compile.h>
 #include <fmt/format.h>
 
+#include <array>
 #include <cmath>
-#include <iterator>
 
 namespace impulse {
 namespace {
 
-void append_number(std::string& line, double value) { fmt::format_to(std::back_inserter(line), "{}", value); }
+// Formatted in place: a back_inserter takes twice as long.
+void append_number(std::string& line, double value) {
+  std::array<char, 32> digits;
+  line.append(digits.data(), fmt::format_to(digits.data(), FMT_COMPILE("{}"), value));
+}
 
 /// Quotes only where reading would go wrong without: separators, quotes, outer blanks, and a `#` that reads as a
 /// comment.
@@ -89,6 +94,18 @@ void CsvOutput::row(const std::vector<CsvField>& fields) {
     }
   }
   file_.write(line + '\n');
+}
+
+void CsvOutput::numbers(std::span<const double> values) {
+  require(values.size() == names_.size(), "a row of {} numbers for {} columns", values.size(), names_.size());
+  line_.clear();
+  for (std::size_t i = 0; i < values.size(); ++i) {
+    if (i > 0) line_ += ',';
+    require_finite(names_[i], values[i]);
+    append_number(line_, values[i]);
+  }
+  line_ += '\n';
+  file_.write(line_);
 }
 
 }  // namespace impulse

@@ -47,11 +47,14 @@ class CsvOutput {
   /// @throws std::invalid_argument if the number of fields is not that of the names; OutputError for a number that is
   /// not finite; as OutputFile::write.
   void row(const std::vector<CsvField>& fields);
+  /// A row of numbers alone, without an allocation. @throws as row().
+  void numbers(std::span<const double> values);
   void close() { file_.close(); }
 
  private:
   OutputFile file_;
   std::vector<std::string> names_;
+  std::string line_;
 };
 
 }  // namespace impulse

@@ -16,6 +16,8 @@ class InputFile {
   /// What messages call it: the path, or `stdin`.
   [[nodiscard]] const std::string& name() const { return name_; }
 
+  [[nodiscard]] int descriptor() const { return descriptor_; }
+
   /// Fills at most `size` characters; returns their number, 0 at the end.
   std::size_t read(char* buffer, std::size_t size);
 

@@ -1,0 +1,24 @@
+#pragma once
+
+#include "lib/records/text_record.hpp"
+
+#include <string>
+#include <utility>
+#include <vector>
+
+namespace impulse {
+
+enum class RecordFormat { automatic, delimited, tektronix, labview, dewesoft, transient, lanl };
+
+struct ReadOptions {
+  RecordFormat format = RecordFormat::automatic;
+  TextOptions text;
+  Sampling sampling;
+};
+
+/// Reads a record of any format that is known; channels with different abscissas come as several records.
+/// `file` must outlive them. @throws InputError for what is wrong in the file, with the line or byte.
+/// Verified by: tests/tools/ir-convert/
+[[nodiscard]] std::vector<std::unique_ptr<RecordRows>> read_records(const RecordFile& file, const ReadOptions& options);
+
+}  // namespace impulse

@@ -1,0 +1,177 @@
+#include "lib/cli/run_tool.hpp"
+#include "lib/contract/errors.hpp"
+#include "lib/csv/csv_output.hpp"
+#include "lib/records/record_conversion.hpp"
+#include "lib/records/record_csv.hpp"
+#include "lib/records/record_format.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+namespace {
+
+using namespace impulse;
+using Calibration = RecordConversion::Calibration;
+
+struct Options {
+  std::vector<std::string> files;
+  RecordFormat format = RecordFormat::automatic;
+  bool list_channels = false;
+  bool list_metadata = false;
+  bool zero_time = false;
+  bool quiet = false;
+  RecordConversion conversion;
+  std::vector<Calibration> sensitivities;
+  TextOptions text;
+  std::optional<std::string> delimiter;
+  std::optional<char> decimal_sign;
+  std::optional<double> step, rate, start;
+  std::string output;
+};
+
+const ToolPage page{"ir-convert", "Convert the record of an oscilloscope, recorder or analyser to CSV in SI units.",
+                    "Reads delimited text (any delimiter, decimal point or comma, headings, any line ends, UTF-8, "
+                    "Latin-1 and others), Tektronix "
+                    "oscilloscope CSV, LabVIEW .lvm, Dewesoft text, transient recorders' text and Los Alamos "
+                    "Kolsky-bar .raw files, and says on standard error "
+                    "what it saw, what it took for granted and what it repaired. A column of times that was rounded "
+                    "until values repeat is rebuilt from the rate.\n"
+                    "CHANNEL is a name or a number from 1, as --list-channels shows them.",
+                    "printf 'Time (ms);Force (kN)\\n0,0;0\\n0,1;1,5\\n0,2;3,25\\n' > record.txt\n"
+                    "ir-convert record.txt --list-channels\n"
+                    "ir-convert record.txt --rename Force=force -o force.csv"};
+
+char parse_delimiter(const std::string& text) {
+  if (text == "tab" || text == "\\t") return '\t';
+  if (text == "blanks" || text == " ") return ' ';
+  if (text.size() != 1)
+    throw UsageError("--delimiter", fmt::format("'{}' is not one character, 'tab' or 'blanks'", text));
+  return text.front();
+}
+
+void declare(Command& command, Options& options) {
+  command.files("FILE", options.files, 0, 1, "record; '-' or none is standard input");
+  command.choice("--format", options.format,
+                 {{"auto", RecordFormat::automatic},
+                  {"text", RecordFormat::delimited},
+                  {"tektronix", RecordFormat::tektronix},
+                  {"lvm", RecordFormat::labview},
+                  {"dewesoft", RecordFormat::dewesoft},
+                  {"transient", RecordFormat::transient},
+                  {"kolsky", RecordFormat::lanl}},
+                 "format of the record");
+  command.flag("--list-channels", options.list_channels,
+               "write the channels instead, as CSV with their unit, samples, times and extremes");
+  command.flag("--list-metadata", options.list_metadata, "write what else the record says instead, as CSV key,value");
+  command.text("--channel", options.conversion.channels, "CHANNEL", "take this channel only; may be repeated");
+  command.parsed<RecordConversion::Named>("--rename", options.conversion.names, parse_named, "CHANNEL=NAME",
+                                          "give a channel another name");
+  command.parsed<RecordConversion::Named>("--unit", options.conversion.units, parse_named, "CHANNEL=UNIT",
+                                          "unit of the values in the record, if it says none or a wrong one");
+  command.parsed<Calibration>(
+      "--scale", options.conversion.calibrations,
+      [](const std::string& text) { return parse_calibration(text, Calibration::Use::multiply); }, "CHANNEL=FACTOR",
+      "multiply a channel: 3 or 400N/V");
+  command.parsed<Calibration>(
+      "--sensitivity", options.sensitivities,
+      [](const std::string& text) { return parse_calibration(text, Calibration::Use::divide); }, "CHANNEL=FACTOR",
+      "divide a channel: 2.25mV/N");
+  command.quantity("--step", options.step, "s", Sign::positive, "time step, if the record says none or a wrong one");
+  command.quantity("--rate", options.rate, "Hz", Sign::positive, "sampling rate, instead of --step");
+  command.quantity("--start", options.start, "s", Sign::any, "time of the first sample, with --step or --rate");
+  command.text("--time-column", options.text.abscissa_column, "CHANNEL",
+               "column of the times in a text, 'none' if there is none");
+  command.quantity("--from", options.conversion.from, "s", Sign::any, "leave out what comes before this time");
+  command.quantity("--to", options.conversion.to, "s", Sign::any, "leave out what comes after this time");
+  command.flag("--zero-time", options.zero_time, "count time from the first sample, as the other tools want it");
+  command.text("--delimiter", options.delimiter, "CHARACTER",
+               "between the fields of a text: a character, 'tab' or 'blanks'");
+  command.choice("--decimal", options.decimal_sign, {{"point", '.'}, {"comma", ','}}, "decimal sign of a text");
+  command.text("--encoding", options.text.encoding, "NAME", "of a text's letters, as iconv calls it");
+  command.flag("--quiet", options.quiet, "say nothing of what was seen");
+  command.output(options.output);
+}
+
+ReadOptions read_options(const Options& options) {
+  if (options.step && options.rate) throw UsageError("--rate", "--step says the same");
+  if (options.start && !options.step && !options.rate) throw UsageError("--start", "it goes with --step or --rate");
+  if (options.list_channels && options.list_metadata)
+    throw UsageError("--list-metadata", "--list-channels writes something else");
+  ReadOptions read{options.format, options.text, {options.step, options.start}};
+  if (options.rate) read.sampling.step = 1 / *options.rate;
+  if (options.delimiter) read.text.delimiter = parse_delimiter(*options.delimiter);
+  read.text.decimal_sign = options.decimal_sign;
+  return read;
+}
+
+RecordConversion conversion_of(const Options& options) {
+  RecordConversion conversion = options.conversion;
+  for (Calibration& calibration : conversion.calibrations) calibration.flag = "--scale";
+  for (Calibration calibration : options.sensitivities) {
+    calibration.flag = "--sensitivity";
+    conversion.calibrations.push_back(calibration);
+  }
+  if (options.zero_time) conversion.origin = RecordConversion::Origin::first_sample;
+  return conversion;
+}
+
+void say(const std::string& file, const std::string& what) {
+  fmt::print(stderr, "{}: {}: {}\n", page.name, file, what);
+}
+
+void list_metadata(const RecordHeader& header, const std::string& path) {
+  CsvOutput output(path, {"key", "value"});
+  for (const auto& [key, value] : header.metadata) output.row({key, value});
+  output.close();
+}
+
+void list_channels(RecordRows& rows, const std::string& path) {
+  const RecordHeader& header = rows.header();
+  const std::vector<std::string> columns = record_columns(header);
+  struct Extremes {
+    double least = INFINITY, most = -INFINITY;
+  };
+  std::vector<double> row(rows.width());
+  std::vector<Extremes> extremes(rows.width());
+  while (rows.next(row))
+    for (std::size_t i = 0; i < row.size(); ++i)
+      extremes[i] = {std::min(extremes[i].least, row[i]), std::max(extremes[i].most, row[i])};
+  CsvOutput output(path,
+                   {"channel", "name", "column", "unit", "samples", "start", "step", "end", "minimum", "maximum"});
+  std::size_t column = 1;
+  for (std::size_t i = 0; i < header.channels.size(); ++i)
+    for (std::size_t part = 0; part < (header.channels[i].is_complex ? 2U : 1U); ++part, ++column)
+      output.row({static_cast<double>(i + 1), header.channels[i].name, columns[column], header.channels[i].unit,
+                  static_cast<double>(header.abscissa.size), extremes[0].least,
+                  header.abscissa.is_even() ? std::optional<double>(header.abscissa.step) : std::nullopt,
+                  extremes[0].most, extremes[column].least, extremes[column].most});
+  output.close();
+}
+
+int run(const Options& options) {
+  const ReadOptions read = read_options(options);
+  const RecordFile file(options.files.front());
+  std::vector<std::unique_ptr<RecordRows>> records = read_records(file, read);
+  if (!options.quiet) say(file.name(), records.front()->header().format);
+  const std::unique_ptr<RecordRows> record = converted_record(std::move(records.front()), conversion_of(options));
+  if (!options.quiet)
+    for (const std::string& note : record->header().notes) say(file.name(), note);
+  if (options.list_metadata)
+    list_metadata(record->header(), options.output);
+  else if (options.list_channels)
+    list_channels(*record, options.output);
+  else
+    write_record_csv(options.output, *record);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Options options;
+  Command command(page);
+  declare(command, options);
+  return run_tool(argc, argv, command, [&] { return run(options); });
+}
