@@ -35,7 +35,7 @@ ContactRecorder::ContactRecorder(const JoinedBodies& bodies, const std::vector<E
 void ContactRecorder::motion(std::size_t n, const Eigen::VectorXd& law_forces) {
   const double time = grid_.time_s(n);
   for (std::size_t i = 0; i < now.size(); ++i) {
-    const Joint& joint = bodies_.joint(i);
+    const RowJoint& joint = bodies_.joint(i);
     const double speed_1 = flights_[joint.body_1].speed_m_per_s, speed_2 = flights_[joint.body_2].speed_m_per_s;
     now[i].velocity_1_m_per_s[n] = speed_1 - bodies_.bodies[joint.body_1].face_velocity()[joint.contact_1];
     now[i].velocity_2_m_per_s[n] = speed_2 + bodies_.bodies[joint.body_2].face_velocity()[joint.contact_2];

@@ -25,13 +25,14 @@ void require_sizes(const Structure& body, const std::string& name) {
 }
 
 /// The contacts of a body that flies move with it: side 1 against its functional, side 2 along it.
-void require_free(const ExplicitBody& body, std::size_t index, const std::vector<Joint>& all, const std::string& name) {
+void require_free(const ExplicitBody& body, std::size_t index, const std::vector<RowJoint>& all,
+                  const std::string& name) {
   if (body.speed_m_per_s == 0) return;
   const std::optional<Eigen::VectorXd> translation = rigid_translation(body.structure);
   require(translation.has_value(),
           "the {} is held (moving it without strain is not possible); use a far end that is free or infinite", name);
   const double along = index == 0 ? -1 : 1;
-  for (const Joint& joint : all) {
+  for (const RowJoint& joint : all) {
     const auto moves = [&](Eigen::Index contact, double expected) {
       const double motion = along * body.structure.contacts.col(contact).dot(*translation);
       require(std::abs(motion - expected) <= 1e-9, "contact {} of the {} does not fly with it towards the other body",
@@ -56,9 +57,9 @@ void require_stable(const ExplicitBody& body, double step_s, const std::string& 
 
 }  // namespace
 
-std::vector<Joint> joints(const std::vector<ExplicitBody>& bodies) {
+std::vector<RowJoint> row_joints(const std::vector<ExplicitBody>& bodies) {
   require(bodies.size() >= 2, "{} body cannot collide; give two or more", bodies.size());
-  std::vector<Joint> all;
+  std::vector<RowJoint> all;
   const auto contacts = [&](std::size_t b) { return bodies[b].structure.contacts.cols(); };
   if (bodies.size() == 2) {
     require(contacts(0) == contacts(1), "the projectile has {} contacts, the target {}; they meet pair by pair",
@@ -100,7 +101,7 @@ std::string body_name(std::size_t index, std::size_t body_count) {
 
 void require_valid(const std::vector<ExplicitBody>& bodies, double step_s) {
   for (std::size_t b = 0; b < bodies.size(); ++b) require_sizes(bodies[b].structure, body_name(b, bodies.size()));
-  const std::vector<Joint> all = joints(bodies);
+  const std::vector<RowJoint> all = row_joints(bodies);
   for (std::size_t b = 0; b < bodies.size(); ++b) require_free(bodies[b], b, all, body_name(b, bodies.size()));
   // The row's step is that of all but the projectile, whose subcycles can follow it.
   for (std::size_t b = bodies.size(); b-- > 0;) require_stable(bodies[b], step_s, body_name(b, bodies.size()));

@@ -20,7 +20,7 @@ struct ExplicitBody {
 };
 
 /// Which contacts of which bodies meet: side 1 belongs to the earlier body of the row.
-struct Joint {
+struct RowJoint {
   std::size_t body_1;
   Eigen::Index contact_1;
   std::size_t body_2;
@@ -30,7 +30,7 @@ struct Joint {
 /// Two bodies with p contacts each: contact i of one meets contact i of the other. A row of more: the inner bodies have
 /// two contacts, entry and exit, the ends have one.
 /// @throws std::invalid_argument for other numbers of contacts.
-[[nodiscard]] std::vector<Joint> joints(const std::vector<ExplicitBody>& bodies);
+[[nodiscard]] std::vector<RowJoint> row_joints(const std::vector<ExplicitBody>& bodies);
 
 /// Rigid motion r of the body with c₁ᵀr = 1; none if it is held or turns.
 [[nodiscard]] std::optional<Eigen::VectorXd> rigid_translation(const Structure& body);

@@ -30,8 +30,8 @@ struct ExplicitContactsResult {
   std::size_t trial_count = 0;
 };
 
-/// A row of bodies, or two that meet at several points (`joints`), by explicit central differences; each contact has
-/// its law, its gap, and opens and closes for itself. At contact i the faces have approached each other by
+/// A row of bodies, or two that meet at several points (`row_joints`), by explicit central differences; each contact
+/// has its law, its gap, and opens and closes for itself. At contact i the faces have approached each other by
 ///
 ///   α_i(t) = (V₁ - V₂) t - gap_i - c₁ᵀd₁ - c₂ᵀd₂ - Σ_j R_ij F_j
 ///

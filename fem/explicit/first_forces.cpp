@@ -9,20 +9,20 @@ Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 double admittance(const JoinedBodies& bodies, std::size_t body, Eigen::Index contact, std::size_t j) {
   const std::optional<Eigen::MatrixXd> own = known_wave_admittance(bodies.bodies[body].structure());
   if (!own) return 0;
-  const Joint& joint = bodies.joint(j);
+  const RowJoint& joint = bodies.joint(j);
   return (joint.body_1 == body ? (*own)(contact, joint.contact_1) : 0) +
          (joint.body_2 == body ? (*own)(contact, joint.contact_2) : 0);
 }
 
 double joint_admittance(const JoinedBodies& bodies, std::size_t i, std::size_t j) {
-  const Joint& joint = bodies.joint(i);
+  const RowJoint& joint = bodies.joint(i);
   return admittance(bodies, joint.body_1, joint.contact_1, j) + admittance(bodies, joint.body_2, joint.contact_2, j);
 }
 
 }  // namespace
 
 bool has_wave_admittance(const JoinedBodies& bodies, std::size_t contact) {
-  const Joint& joint = bodies.joint(contact);
+  const RowJoint& joint = bodies.joint(contact);
   return known_wave_admittance(bodies.bodies[joint.body_1].structure()) &&
          known_wave_admittance(bodies.bodies[joint.body_2].structure()) &&
          joint_admittance(bodies, contact, contact) > 0;
@@ -49,7 +49,7 @@ std::optional<Eigen::VectorXd> first_forces(const JoinedBodies& bodies, const st
 Eigen::MatrixX2d first_velocities(const JoinedBodies& bodies, const Eigen::VectorXd& forces) {
   Eigen::MatrixX2d velocities = Eigen::MatrixX2d::Zero(forces.size(), 2);
   for (std::size_t i = 0; i < bodies.contact_count(); ++i) {
-    const Joint& joint = bodies.joint(i);
+    const RowJoint& joint = bodies.joint(i);
     for (std::size_t j = 0; j < bodies.contact_count(); ++j) {
       const double force = forces[index(j)];
       if (force == 0) continue;

@@ -7,18 +7,18 @@ Eigen::Index index(std::size_t i) { return static_cast<Eigen::Index>(i); }
 
 }  // namespace
 
-JoinedBodies::JoinedBodies(const std::vector<ExplicitBody>& all, double step_s) : joints_(joints(all)) {
+JoinedBodies::JoinedBodies(const std::vector<ExplicitBody>& all, double step_s) : joints_(row_joints(all)) {
   for (const ExplicitBody& body : all) {
     bodies.emplace_back(body.structure, step_s, body.subcycles);
     speeds_.push_back(body.speed_m_per_s);
     joint_of_.emplace_back(static_cast<std::size_t>(body.structure.contacts.cols()));
   }
   for (std::size_t i = 0; i < joints_.size(); ++i) {
-    const Joint& joint = joints_[i];
+    const RowJoint& joint = joints_[i];
     joint_of_[joint.body_1][static_cast<std::size_t>(joint.contact_1)] = i;
     joint_of_[joint.body_2][static_cast<std::size_t>(joint.contact_2)] = i;
   }
-  for (const Joint& joint : joints_)
+  for (const RowJoint& joint : joints_)
     for (const double begin : {0.0, 1.0})
       (begin == 0 ? ramps_ : helds_)
           .push_back({UnitResponse(bodies[joint.body_1], joint.contact_1, begin),
@@ -96,20 +96,20 @@ void JoinedBodies::set_forces(const Eigen::VectorXd& forces) {
 }
 
 void JoinedBodies::drop_force(std::size_t contact, double force) {
-  const Joint& joint = joints_[contact];
+  const RowJoint& joint = joints_[contact];
   bodies[joint.body_1].drop_force(joint.contact_1, force);
   bodies[joint.body_2].drop_force(joint.contact_2, force);
 }
 
 void JoinedBodies::add(std::size_t contact, StepForce shape, double force) {
-  const Joint& joint = joints_[contact];
+  const RowJoint& joint = joints_[contact];
   const Pair& response = (shape == StepForce::ramp ? ramps_ : helds_)[contact];
   response.side_1.add_to(bodies[joint.body_1], force);
   response.side_2.add_to(bodies[joint.body_2], force);
 }
 
 double JoinedBodies::face_mobility(std::size_t contact) const {
-  const Joint& joint = joints_[contact];
+  const RowJoint& joint = joints_[contact];
   return bodies[joint.body_1].face_mobility(joint.contact_1) + bodies[joint.body_2].face_mobility(joint.contact_2);
 }
 

@@ -25,7 +25,7 @@ class JoinedBodies {
   JoinedBodies(const std::vector<ExplicitBody>& bodies, double step_s);
 
   [[nodiscard]] std::size_t contact_count() const { return joints_.size(); }
-  [[nodiscard]] const Joint& joint(std::size_t contact) const { return joints_[contact]; }
+  [[nodiscard]] const RowJoint& joint(std::size_t contact) const { return joints_[contact]; }
 
   /// Speed at which contact i closes before impact [m/s].
   [[nodiscard]] double flight_speed(std::size_t contact) const;
@@ -75,7 +75,7 @@ class JoinedBodies {
   void find_residual();
 
   std::vector<double> speeds_;
-  std::vector<Joint> joints_;
+  std::vector<RowJoint> joints_;
   std::vector<std::vector<std::size_t>> joint_of_;  // body, its contact → contact of the row
   std::vector<Pair> ramps_;
   std::vector<Pair> helds_;
