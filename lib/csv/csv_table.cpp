@@ -198,7 +198,7 @@ std::size_t first_unusual_row(const std::vector<double>& time, double tolerance)
 
 }  // namespace
 
-UniformGrid uniform_time(const CsvTable& table) {
+UniformGrid uniform_time(const CsvTable& table, TimeOrigin origin) {
   constexpr double tolerance = 1e-6;
   const std::vector<double>& time = table.column("time_s");
   const std::size_t number = table.field("time_s");
@@ -212,7 +212,7 @@ UniformGrid uniform_time(const CsvTable& table) {
     const std::size_t row = first_unusual_row(time, tolerance);
     fail(row, fmt::format("time {} s follows {} s: the step is not uniform", time[row], time[row - 1]));
   }
-  if (std::abs(time.front()) > tolerance * step)
+  if (origin == TimeOrigin::zero && std::abs(time.front()) > tolerance * step)
     fail(0, fmt::format("time begins at {} s (it must begin at 0)", time.front()));
   return {step, time.size()};
 }

@@ -57,9 +57,14 @@ class CsvTable {
 /// tests/lib/csv_table.test.cpp
 [[nodiscard]] CsvTable read_csv(const std::string& path);
 
-/// The grid of column `time_s`: n ≥ 2 samples, starting at 0, step (t_last - t_first)/(n - 1), every interval within
-/// 1e-6 of the step. The first sample may be off by 1e-6 step too.
+enum class TimeOrigin {
+  zero,  ///< the first sample is at 0
+  any    ///< a record that began before its trigger
+};
+
+/// The grid of column `time_s`: n ≥ 2 samples, starting at 0 or (a record with its own origin) anywhere, step (t_last -
+/// t_first)/(n - 1), every interval within 1e-6 of the step. The first sample may be off by 1e-6 step too.
 /// @throws InputError at the offending line.
-[[nodiscard]] UniformGrid uniform_time(const CsvTable& table);
+[[nodiscard]] UniformGrid uniform_time(const CsvTable& table, TimeOrigin origin = TimeOrigin::zero);
 
 }  // namespace impulse

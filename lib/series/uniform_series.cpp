@@ -36,4 +36,14 @@ std::vector<double> cumulative_integral(const std::vector<double>& values, doubl
   return integral;
 }
 
+std::vector<double> derivative(const std::vector<double>& x, double step_s) {
+  const std::size_t n = x.size();
+  require(n >= 3, "a derivative needs three samples, not {}", n);
+  std::vector<double> slope(n);
+  slope[0] = (-3 * x[0] + 4 * x[1] - x[2]) / (2 * step_s);
+  for (std::size_t k = 1; k + 1 < n; ++k) slope[k] = (x[k + 1] - x[k - 1]) / (2 * step_s);
+  slope[n - 1] = (3 * x[n - 1] - 4 * x[n - 2] + x[n - 3]) / (2 * step_s);
+  return slope;
+}
+
 }  // namespace impulse

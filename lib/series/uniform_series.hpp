@@ -39,4 +39,8 @@ struct UniformSeries {
 /// Verified by: tests/lib/uniform_series.test.cpp
 [[nodiscard]] std::vector<double> cumulative_integral(const std::vector<double>& values, double step_s);
 
+/// dx/dt on the same grid by central differences, one-sided of three samples at the ends. Order 2.
+/// @throws std::invalid_argument for fewer than three samples. Verified by: tests/lib/uniform_series.test.cpp
+[[nodiscard]] std::vector<double> derivative(const std::vector<double>& values, double step_s);
+
 }  // namespace impulse

@@ -1,6 +1,7 @@
 #include "lib/transform/real_fft.hpp"
 
 #include "lib/contract/require.hpp"
+#include "lib/transform/spectrum_product.hpp"
 
 #include <fftw3.h>
 
@@ -104,7 +105,7 @@ std::vector<double> convolution(std::span<const double> a, std::span<const doubl
   std::ranges::fill(time, 0.0);
   std::ranges::copy(b, time.begin());
   fft.forward(time, spectrum_b);
-  for (std::size_t k = 0; k < spectrum_a.size(); ++k) spectrum_a[k] *= spectrum_b[k];
+  multiply(spectrum_a, spectrum_b);
   fft.inverse(spectrum_a, time);
   std::vector<double> result(count, 0.0);
   std::copy_n(time.begin(), std::min(count, time.size()), result.begin());

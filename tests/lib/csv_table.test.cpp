@@ -152,3 +152,7 @@ TEST_CASE("uniform_time refuses at the offending line") {
   CHECK(time_refusal("time_s\n2\n1\n0\n") == "a.csv:3:1: time 1 s follows 2 s: the step is not uniform");
   CHECK(time_refusal("time_s\n1\n2\n3\n") == "a.csv:2:1: time begins at 1 s (it must begin at 0)");
 }
+
+TEST_CASE("uniform_time: a record may have its own origin where that is said") {
+  CHECK(uniform_time(table_of("time_s\n-1\n-0.5\n0\n0.5\n"), TimeOrigin::any) == UniformGrid{0.5, 4});
+}

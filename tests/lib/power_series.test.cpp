@@ -38,7 +38,8 @@ TEST_CASE("power_series: 1/(1 - z)^2 has the coefficients n + 1") {
   std::vector<double> b(200, 0.0);
   b[0] = 1;
   const auto result = PowerSeriesDivision(200).divide(b, w, 1e-9);
-  for (std::size_t n = 0; n < 200; ++n) CHECK(result.quotient[n] == doctest::Approx(static_cast<double>(n) + 1).epsilon(1e-10));
+  for (std::size_t n = 0; n < 200; ++n)
+    CHECK(result.quotient[n] == doctest::Approx(static_cast<double>(n) + 1).epsilon(1e-10));
 }
 
 TEST_CASE("power_series: one refinement repairs what a large 1/w loses") {
@@ -63,6 +64,7 @@ TEST_CASE("power_series: a quotient that overflows reports an infinite residual,
 }
 
 TEST_CASE("power_series: refuses a divisor that starts with 0") {
-  CHECK_THROWS_WITH_AS(static_cast<void>(PowerSeriesDivision(4).divide(std::vector<double>(4, 1.0), std::vector<double>(4, 0.0), 1)),
-                       doctest::Contains("first coefficient of the divisor is 0"), std::invalid_argument);
+  CHECK_THROWS_WITH_AS(
+      static_cast<void>(PowerSeriesDivision(4).divide(std::vector<double>(4, 1.0), std::vector<double>(4, 0.0), 1)),
+      doctest::Contains("first coefficient of the divisor is 0"), std::invalid_argument);
 }

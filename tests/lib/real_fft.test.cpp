@@ -15,7 +15,8 @@ TEST_CASE("real_fft: sign and normalisation are those of the definition") {
     RealBuffer time(x.begin(), x.end());
     ComplexBuffer spectrum(fft.spectrum_size());
     fft.forward(time, spectrum);
-    for (std::size_t k = 0; k < spectrum.size(); ++k) CHECK(std::abs(spectrum[k] - expected[k]) < 1e-13 * static_cast<double>(n));
+    for (std::size_t k = 0; k < spectrum.size(); ++k)
+      CHECK(std::abs(spectrum[k] - expected[k]) < 1e-13 * static_cast<double>(n));
     RealBuffer back(n);
     fft.inverse(spectrum, back);
     for (std::size_t j = 0; j < n; ++j) CHECK(std::abs(back[j] - x[j]) < 1e-14);

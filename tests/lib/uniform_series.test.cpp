@@ -48,3 +48,19 @@ TEST_CASE("cumulative_integral is of order 2") {
     previous = error;
   }
 }
+
+TEST_CASE("uniform_series: the derivative is exact for parabolas and of order 2") {
+  const auto error = [](int n) {
+    std::vector<double> x;
+    for (int k = 0; k <= n; ++k) x.push_back(std::sin(3.0 * k / n));
+    const std::vector<double> slope = derivative(x, 3.0 / n);
+    double largest = 0;
+    for (int k = 0; k <= n; ++k)
+      largest = std::max(largest, std::abs(slope[static_cast<std::size_t>(k)] - std::cos(3.0 * k / n)));
+    return largest;
+  };
+  for (int n : {64, 128, 256, 512}) CHECK(std::abs(std::log2(error(n) / error(2 * n)) - 2) < 0.1);
+  const std::vector<double> parabola = derivative({0, 1, 4, 9, 16}, 1);
+  for (std::size_t k = 0; k < 5; ++k) CHECK(parabola[k] == doctest::Approx(2.0 * static_cast<double>(k)));
+  CHECK_THROWS_WITH_AS((void)derivative({1, 2}, 1), doctest::Contains("three samples"), std::invalid_argument);
+}

@@ -1,0 +1,142 @@
+#include "impulse/measured/response_estimate.hpp"
+#include "lib/cli/quantity.hpp"
+#include "lib/cli/run_tool.hpp"
+#include "lib/contract/errors.hpp"
+#include "lib/csv/csv_output.hpp"
+#include "tools/support/blow_record.hpp"
+
+#include <fmt/format.h>
+
+#include <cstdio>
+
+namespace {
+
+using namespace impulse;
+
+Regularisation parse_regularisation(const std::string& text) {
+  using Rule = Regularisation::Rule;
+  if (text == "gcv") return {Rule::cross_validation, 0};
+  if (text == "l-curve") return {Rule::l_curve, 0};
+  if (text == "none") return {Rule::none, 0};
+  const double value = parse_quantity(text, "1");
+  if (!(value > 0)) throw std::invalid_argument(fmt::format("{} is neither gcv, l-curve, none nor positive", text));
+  return {Rule::value, value};
+}
+
+std::string rule_name(Regularisation::Rule rule) {
+  switch (rule) {
+    case Regularisation::Rule::cross_validation:
+      return " (gcv)";
+    case Regularisation::Rule::l_curve:
+      return " (l-curve)";
+    default:
+      return "";
+  }
+}
+
+struct Request {
+  std::vector<std::string> files;
+  BlowRecords records;
+  EstimateOptions options;
+  std::optional<std::string> frequency_response;
+  bool members = false;
+  bool quiet_report = false;
+  std::string output;
+
+  void declare(Command& command) {
+    command.files("RECORD", files, 1, 1000, "CSV files with time_s, a force and a motion, one blow each; - is stdin");
+    records.declare(command);
+    command.choice<ResponseEstimator>("--estimator", options.estimator,
+                                      {{"least-squares", ResponseEstimator::least_squares},
+                                       {"h1", ResponseEstimator::h1},
+                                       {"h2", ResponseEstimator::h2},
+                                       {"hv", ResponseEstimator::hv}},
+                                      "causal least squares in time, or an average of spectra");
+    command.parsed<Regularisation>(
+        "--regularisation", options.regularisation, parse_regularisation, "gcv|l-curve|none|NUMBER",
+        "how much of the noise is held back: by generalised cross-validation (default), by the corner of the L-curve, "
+        "not at all, or as a fraction of the blows' largest power");
+    command.quantity("--trigger", options.blow.trigger, "1", Sign::positive,
+                     "fraction of the peak force at which a pulse begins and ends");
+    command.quantity("--second-hit", options.blow.second_hit, "1", Sign::positive,
+                     "fraction of the peak force that counts as a second hit");
+    command.quantity("--force-window", options.blow.force_window_s, "s", Sign::positive,
+                     "the force is zero so long after the trigger (default: the pulse and half its length)");
+    command.choice<BlowFault>("--accept", options.accepted,
+                              {{"clipped-force", BlowFault::clipped_force},
+                               {"clipped-response", BlowFault::clipped_response},
+                               {"second-hit", BlowFault::second_hit}},
+                              "faults that do not leave a blow out");
+    command.quantity("--exponential-window", options.exponential_s, "s", Sign::positive,
+                     "time constant of a window on both channels; the damping that it adds is taken off again");
+    command.quantity("--mass", options.free_mass_kg, "kg", Sign::positive,
+                     "of a free body: the rigid-body part of the response is 1/mass");
+    command.choice<Drift>("--drift", options.drift,
+                          {{"none", Drift::none}, {"held", Drift::held}, {"free", Drift::free}},
+                          "take a straight line off the velocity, so that it ends at rest, or at impulse/mass");
+    command.quantity("--duration", options.duration_s, "s", Sign::positive,
+                     "of the response (default: what the shortest record gives)");
+    command.text("--frequency-response", frequency_response, "FILE",
+                 "write frequency_Hz, the mobility H1 and the coherence to FILE");
+    command.flag("--members", members, "write the deviation of every blow too, from which errors can be drawn");
+    command.flag("--silent", quiet_report, "do not report on stderr what was chosen");
+    command.output(output);
+  }
+};
+
+void report(const Request& request, const ResponseEstimate& estimate) {
+  for (const LeftOut& blow : estimate.left_out)
+    fmt::print(stderr, "ir-estimate: {} is left out: {}\n", blow.name, description(blow.fault));
+  if (request.quiet_report) return;
+  fmt::print(stderr, "ir-estimate: blows {}; degrees of freedom {}; regularisation {:.3g}{}; force window {:.4g} s\n",
+             estimate.blow_count, estimate.measured.degrees_of_freedom, estimate.regularisation,
+             rule_name(request.options.regularisation.rule), estimate.force_window_s);
+}
+
+void write_frequency_response(const std::string& path, const AveragedSpectra& spectra, double step_s) {
+  const std::vector<double> coherence = spectra.coherence();
+  const double largest = spectra.largest_input_power();
+  CsvOutput output(path, {"frequency_Hz", "mobility_real_m_per_Ns", "mobility_imaginary_m_per_Ns", "coherence",
+                          "force_power_relative"});
+  for (std::size_t k = 0; k < coherence.size(); ++k) {
+    const double power = spectra.input_power[k];
+    const std::complex<double> mobility = power > 0 ? spectra.cross[k] / power : 0;
+    output.row({static_cast<double>(k) / (static_cast<double>(spectra.transform_size) * step_s), mobility.real(),
+                mobility.imag(), coherence[k], power / largest});
+  }
+  output.close();
+}
+
+int run(const Request& request) {
+  const BlowRecords::Records records = request.records.read(request.files);
+  const ResponseEstimate estimate = estimated_response(records.blows, records.step_s, request.options);
+  if (request.members && estimate.measured.deviations.empty())
+    throw UsageError("--members", "needs two blows at least; one has no spread");
+  report(request, estimate);
+  if (request.frequency_response)
+    write_frequency_response(*request.frequency_response, estimate.spectra, records.step_s);
+  write_measured_response(request.output, estimate.measured, request.members ? Members::yes : Members::no);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Command command(
+      {"ir-estimate", "impulse response of a body from hammer blows",
+       "Finds G, H and U such that each recorded velocity is the convolution of G with the recorded force: causal "
+       "least "
+       "squares in time over all blows, or the average of spectra H1, H2 or Hv. G is in m/s per N s and holds no "
+       "factor "
+       "of the sampling. Blows that are clipped or hit twice are left out. With two blows or more also the standard "
+       "uncertainties impulse_response_std_per_kg, step_velocity_std_m_per_Ns and step_displacement_std_m_per_N, from "
+       "the spread of the blows, and their degrees_of_freedom; a 95 % band is Student's t quantile times those. What "
+       "was chosen is reported on stderr.",
+       "printf 'time_s,force_N,velocity_m_per_s\\n' > blow.csv\n"
+       "awk 'BEGIN { for (k = 0; k < 400; ++k) { f = k < 20 ? 100*sin(k*3.14159265/20) : 0; v += (f + last)/2*1e-5/2; "
+       "last = f; print k*1e-5 \",\" f \",\" v } }' >> blow.csv\n"
+       "ir-estimate --regularisation none blow.csv -o two-kilograms.csv"});
+  Request request;
+  request.declare(command);
+  return run_tool(argc, argv, command, [&] { return run(request); });
+}
