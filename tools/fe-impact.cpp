@@ -104,7 +104,7 @@ std::vector<DescribedBody> read_bodies(const Request& request) {
 ExplicitBody discretised(const DescribedBody& body, const std::string& role, std::optional<std::size_t> elements,
                          double step_s, std::size_t subcycles) {
   if (elements && body.divisible == Divisible::no)
-    throw UsageError("--" + role + "-elements", fmt::format("the {} is a {}, which has none", role, body.kind));
+    throw UsageError("--" + role + "-elements", fmt::format("a {} is not divided by a number of elements", body.kind));
   try {
     return {body.structure({step_s / static_cast<double>(subcycles), elements}), 0, subcycles};
   } catch (const std::invalid_argument& error) {

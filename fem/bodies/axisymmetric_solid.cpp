@@ -151,6 +151,12 @@ void add(Triplets& sum, const std::array<Index, 12>& freedoms, const TriangleMat
     }
 }
 
+TriangleNodes element_nodes(const TriangleMesh& mesh, Index e) {
+  TriangleNodes nodes;
+  for (Index i = 0; i < 6; ++i) nodes.row(i) = mesh.nodes.row(mesh.elements(e, i));
+  return nodes;
+}
+
 void assemble(const AxisymmetricSolid& solid, SolidStructure& body, Index freedom_count) {
   const TriangleMesh& mesh = solid.mesh;
   Triplets stiffness, mass;
@@ -158,11 +164,10 @@ void assemble(const AxisymmetricSolid& solid, SolidStructure& body, Index freedo
   mass.reserve(static_cast<std::size_t>((solid.mass == MassMatrix::lumped ? 12 : 72) * mesh.element_count()));
   for (Index e = 0; e < mesh.element_count(); ++e) {
     const AxisymmetricElasticity& material = solid.materials[mesh.region[static_cast<std::size_t>(e)]];
-    TriangleNodes nodes;
+    const TriangleNodes nodes = element_nodes(mesh, e);
     std::array<Index, 12> freedoms{};
     for (Index i = 0; i < 6; ++i) {
       const Index node = mesh.elements(e, i);
-      nodes.row(i) = mesh.nodes.row(node);
       freedoms[static_cast<std::size_t>(2 * i)] = body.freedoms(node, 0);
       freedoms[static_cast<std::size_t>(2 * i + 1)] = body.freedoms(node, 1);
     }
@@ -211,10 +216,28 @@ void add_contacts(const std::vector<Circle>& circles, SolidStructure& body, Inde
   body.structure.outputs = Eigen::MatrixXd::Zero(freedom_count, 0);
 }
 
+/// Along the axis, into the body at its first contact.
+void add_translation(const AxisymmetricSolid& solid, SolidStructure& body, Index freedom_count) {
+  if (solid.contacts.empty() || solid.end_a != EndSupport::free || solid.end_b != EndSupport::free) return;
+  const double into = solid.contacts.front().face == Face::a ? 1 : -1;
+  body.structure.translation = Eigen::VectorXd::Zero(freedom_count);
+  for (const Index freedom : body.freedoms.col(1)) body.structure.translation(freedom) = into;
+}
+
 }  // namespace
 
 Eigen::Matrix<double, Eigen::Dynamic, 2> SolidStructure::nodal(const Eigen::Ref<const Eigen::VectorXd>& u) const {
   return freedoms.unaryExpr([&u](Index freedom) { return freedom < 0 ? 0.0 : u(freedom); });
+}
+
+double mass_kg(const AxisymmetricSolid& solid) {
+  require_mesh(solid);
+  double mass = 0;
+  for (Index e = 0; e < solid.mesh.element_count(); ++e) {
+    const double density = solid.materials[solid.mesh.region[static_cast<std::size_t>(e)]].density_kg_per_m3;
+    mass += axisymmetric_triangle_lumped_mass(element_nodes(solid.mesh, e), density).sum() / 2;
+  }
+  return mass;
 }
 
 SolidStructure axisymmetric_structure(const AxisymmetricSolid& solid) {
@@ -231,6 +254,7 @@ SolidStructure axisymmetric_structure(const AxisymmetricSolid& solid) {
   body.freedoms = numbered_freedoms(solid, places, circles, count);
   assemble(solid, body, count);
   add_contacts(circles, body, count);
+  add_translation(solid, body, count);
   return body;
 }
 

@@ -40,6 +40,9 @@ struct AxisymmetricSolid {
   MassMatrix mass = MassMatrix::consistent;  ///< lumped: HRZ, see axisymmetric_triangle.hpp
 };
 
+/// Volume integral of the density [kg].
+[[nodiscard]] double mass_kg(const AxisymmetricSolid& solid);
+
 /// Its matrices, and where in them the nodes are.
 struct SolidStructure {
   Structure structure;

@@ -223,6 +223,7 @@ ModalModel modal_model(const Structure& body, const ModalOptions& options) {
   model.residual_flexibility = options.residual == ModalOptions::Residual::attached
                                    ? attached_residual(body, pairs, model.participation, rigid_count)
                                    : Eigen::MatrixXd::Zero(p, p);
+  if (options.shapes == ModalOptions::Shapes::kept) model.shapes = pairs.vectors;
   model.wave_admittance = body.wave_admittance.size() == 0 ? Eigen::MatrixXd::Zero(p, p) : body.wave_admittance;
   require_valid(model);
   return model;

@@ -16,6 +16,7 @@ struct ModalModel {
   Eigen::MatrixXd participation;         ///< φ = cᵀu, m × p [kg^-1/2]
   Eigen::MatrixXd residual_flexibility;  ///< R, p × p [m/N]: the static answer of the modes left out
   Eigen::MatrixXd wave_admittance;       ///< p × p, H(0+) of the continuous body [m/(N s)]; zero where it has none
+  Eigen::MatrixXd shapes = {};           ///< u, n × m [kg^-1/2], if they were asked for; else empty
 
   [[nodiscard]] Eigen::Index mode_count() const { return angular_frequency.size(); }
   [[nodiscard]] Eigen::Index contact_count() const { return participation.cols(); }
@@ -30,6 +31,7 @@ struct ModalOptions {
   double highest_frequency_Hz = std::numeric_limits<double>::infinity();  ///< ≥ 0; and none above this
   enum class Route { automatic, tridiagonal, dense, arpack } route = Route::automatic;
   enum class Residual { none, attached } residual = Residual::none;
+  enum class Shapes { left_out, kept } shapes = Shapes::left_out;  ///< n × m of them take memory
 };
 
 /// Lowest modes K u = ω² M u of a structure without dashpots, none missed, and their participations:
