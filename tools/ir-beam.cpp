@@ -23,7 +23,6 @@ struct Request {
 
   void declare(Command& command) {
     body.declare(command);
-    modal.declare(command);
     command.choice<ModesFrom>("--modes-from", modes_from, {{"exact", ModesFrom::exact}, {"fe", ModesFrom::fe}},
                               "modes of the continuous beam (Euler-Bernoulli), or of its finite elements (default: fe "
                               "if --element is given, else exact)");
@@ -31,6 +30,7 @@ struct Request {
     command.choice<MassMatrix>("--mass-matrix", mass_matrix,
                                {{"lumped", MassMatrix::lumped}, {"consistent", MassMatrix::consistent}},
                                "of the finite elements; lumped is what fe-impact uses");
+    modal.declare(command);
   }
 
   [[nodiscard]] bool exact() const {

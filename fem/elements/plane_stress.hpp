@@ -24,7 +24,8 @@ enum class Quadrilateral {
 /// with the Jacobian of the centre and scaled by its determinant over the point's, so that they integrate to zero: a
 /// constant strain leaves them at rest on any shape of element (the patch test). Rectangles then bend exactly.
 /// @throws std::invalid_argument unless the corners form a convex quadrilateral counter-clockwise, and if the material
-/// has no Poisson's ratio or one outside (-1, 0.5). Verified by: tests/fem/plane_stress.test.cpp
+/// has no Poisson's ratio or one outside (-1, 0.5). Reference: [TaylorBeresfordWilson1976]. Verified by:
+/// tests/fem/plane_stress.test.cpp
 [[nodiscard]] QuadrilateralMatrix plane_stress_stiffness(const QuadrilateralCorners& corners, const Material& material,
                                                          double thickness_m, Quadrilateral kind);
 

@@ -21,7 +21,7 @@ namespace impulse {
 /// The wave admittance is 0: a beam that does not shear begins to move gradually (H ∝ √t).
 /// Cost: some twenty cosines a mode.
 /// @throws std::invalid_argument for an invalid beam and for a range without an end, above 1e6 modes or short of the
-/// two rigid-body modes of a free beam. Verified by: tests/impulse/beam_modes.test.cpp
+/// two rigid-body modes of a free beam. Reference: [Blevins1979] ch. 8. Verified by: tests/impulse/beam_modes.test.cpp
 [[nodiscard]] ModalModel exact_beam_modes(const Beam& beam, const ModeRange& range);
 
 }  // namespace impulse

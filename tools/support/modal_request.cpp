@@ -35,11 +35,15 @@ double ModalRequest::highest_frequency_Hz() const {
   return modes_ ? std::numeric_limits<double>::infinity() : (0.5 + 1e-9) / *step_s_;
 }
 
+UniformGrid ModalRequest::grid() const { return grid_over(*duration_s_, *step_s_); }
+
 void ModalRequest::write(const ModalModel& body) const {
-  if (as_ == Output::modes)
+  if (wants_modes())
     write_modes(output_, body);
   else
-    write_response(output_, modal_response(body, grid_over(*duration_s_, *step_s_)));
+    write(modal_response(body, grid()));
 }
+
+void ModalRequest::write(const Response& response) const { write_response(output_, response); }
 
 }  // namespace impulse

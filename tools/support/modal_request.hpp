@@ -1,7 +1,9 @@
 #pragma once
 
+#include "impulse/response/response.hpp"
 #include "lib/cli/command.hpp"
 #include "lib/model/modal_model.hpp"
+#include "lib/series/uniform_series.hpp"
 
 #include <cstddef>
 #include <optional>
@@ -9,8 +11,7 @@
 
 namespace impulse {
 
-/// What the tool of a body that is known by its modes is asked to write: the options --as, --step, --duration, --modes
-/// and -o.
+/// What the tool of a body that has modes is asked to write: the options --as, --step, --duration, --modes and -o.
 class ModalRequest {
  public:
   /// `standard` says in the help what is taken if --modes isn't given.
@@ -25,6 +26,12 @@ class ModalRequest {
 
   /// Writes the response or the modes.
   void write(const ModalModel& body) const;
+
+  [[nodiscard]] bool wants_modes() const { return as_ == Output::modes; }
+
+  /// Of the response, and a response on it that was found without modes.
+  [[nodiscard]] UniformGrid grid() const;
+  void write(const Response& response) const;
 
  private:
   enum class Output { response, modes };
