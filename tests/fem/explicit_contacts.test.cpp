@@ -179,6 +179,29 @@ TEST_CASE("explicit_contacts: a mass on two springs at once: half a sine of twic
   CHECK(std::abs(std::log2(errors.front() / errors.back()) / 3 - 2) <= 0.1);
 }
 
+TEST_CASE("explicit_contacts: a mass strikes a second with a third behind it, on springs: two normal modes, order 2") {
+  // Equal masses m, equal springs k: δ₁,₂ = V/2 [sin(ω₁t)/ω₁ ± sin(ω₂t)/ω₂], ω₁² = k/m, ω₂² = 3k/m.
+  const double m = 0.3, k = 1e6, speed = 2, omega = std::sqrt(k / m), faster = std::sqrt(3.0) * omega;
+  std::vector<double> errors;
+  for (const double steps : {50.0, 100.0, 200.0, 400.0}) {
+    const ExplicitContactsResult result = explicit_contacts(
+        {{mass_structure(m), speed}, {mass_structure(m, {Face::a, Face::b}), 0}, {mass_structure(m), 0}},
+        {.step_s = 2 / omega / steps,
+         .duration_s = 2 / omega,
+         .laws = {ContactLaw::linear(k), ContactLaw::linear(k)},
+         .gaps_m = {0, 0}});
+    double worst = 0;
+    for (std::size_t n = 0; n < result.grid.size; ++n) {
+      const double t = result.grid.time_s(n), slow = std::sin(omega * t) / omega, fast = std::sin(faster * t) / faster;
+      worst = std::max(worst, std::abs(result.traces[0].force_N[n] - 0.5 * k * speed * (slow + fast)));
+      worst = std::max(worst, std::abs(result.traces[1].force_N[n] - 0.5 * k * speed * (slow - fast)));
+    }
+    errors.push_back(worst * omega / (k * speed));
+  }
+  CHECK(std::abs(std::log2(errors.front() / errors.back()) / 3 - 2) <= 0.1);
+  CHECK(errors.back() < 1e-4);
+}
+
 TEST_CASE("explicit_contacts: rigid contacts that share a mass stop it together, each with its share") {
   // The mass meets a rod at each contact: with the impedances Z₁, Z₂ it is slowed by e^(-(Z₁+Z₂)t/m).
   const double mass = 0.2, step = element_m / steel_speed;

@@ -269,3 +269,26 @@ TEST_CASE("contact_scenes: echoes between samples do not cut a rigid contact up"
   }
   CHECK(impulse[0] == doctest::Approx(impulse[1]).epsilon(1e-3));
 }
+
+TEST_CASE("contact_scenes: a mass strikes a second with a third behind it, on springs: two normal modes, order 2") {
+  // Equal masses m, equal springs k: δ₁,₂ = V/2 [sin(ω₁t)/ω₁ ± sin(ω₂t)/ω₂], ω₁² = k/m, ω₂² = 3k/m, until a spring lets
+  // go, after ω₁t = 2.
+  const double m = 0.3, k = 1e6, speed = 2, omega = std::sqrt(k / m), faster = std::sqrt(3.0) * omega;
+  std::vector<double> errors;
+  for (const std::size_t steps : {50u, 100u, 200u, 400u}) {
+    const UniformGrid grid{2 / omega / static_cast<double>(steps), steps + 1};
+    const ContactsSolution solution =
+        solve_contacts({mass_response(m, grid), mass_response(m, {Face::a, Face::b}, grid), mass_response(m, grid)},
+                       problem_of({speed, 0, 0}, {ContactLaw::linear(k), ContactLaw::linear(k)}));
+    double worst = 0;
+    for (std::size_t n = 0; n < grid.size; ++n) {
+      const double t = grid.time_s(n), slow = std::sin(omega * t) / omega, fast = std::sin(faster * t) / faster;
+      worst = std::max(worst, std::abs(solution.traces[0].force_N[n] - 0.5 * k * speed * (slow + fast)));
+      worst = std::max(worst, std::abs(solution.traces[1].force_N[n] - 0.5 * k * speed * (slow - fast)));
+    }
+    errors.push_back(worst * omega / (k * speed));
+  }
+  CHECK(errors.back() > 1e-8);
+  CHECK(std::abs(std::log2(errors.front() / errors.back()) / 3 - 2) <= 0.1);
+  CHECK(errors.back() < 1e-4);
+}

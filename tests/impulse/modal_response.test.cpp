@@ -43,6 +43,12 @@ TEST_CASE("modal_response: a rigid-body mode is a rigid mass") {
     CHECK(modal.pair(0, 0).step_displacement_m_per_N[k] ==
           doctest::Approx(mass.pair(0, 0).step_displacement_m_per_N[k]).epsilon(1e-15));
   }
+  const Response between = mass_response(2.5, {Face::b, Face::a}, grid);
+  CHECK(between.pair(0, 1).step_displacement_m_per_N[7] == -mass.pair(0, 0).step_displacement_m_per_N[7]);
+  CHECK(between.pair(1, 0).step_velocity_m_per_Ns[7] == -mass.pair(0, 0).step_velocity_m_per_Ns[7]);
+  CHECK(between.pair(1, 1).impulse_response_per_kg[7] == mass.pair(0, 0).impulse_response_per_kg[7]);
+  CHECK_THROWS_WITH_AS(static_cast<void>(mass_response(1, {Face::a, Face::a}, grid)),
+                       doctest::Contains("a mass has two faces"), std::invalid_argument);
   CHECK_THROWS_WITH_AS(static_cast<void>(mass_response(0, grid)), doctest::Contains("mass 0 kg is not positive"),
                        std::invalid_argument);
 }

@@ -1,1 +1,2 @@
 #include "fem/elements/bar_element.hpp"
+// Verified by: tests/impulse/nowhere.test.cpp
