@@ -13,10 +13,11 @@ constexpr std::size_t patience = 3;  ///< steps without force that end a rigid c
 
 }  // namespace
 
-SeriesLaw::SeriesLaw(const ContactLaw& law, double residual_flexibility_m_per_N)
+SeriesLaw::SeriesLaw(const ContactLaw& law, double residual_flexibility_m_per_N, double own_compliance)
     : law_(law.is_rigid() && residual_flexibility_m_per_N > 0 ? ContactLaw::linear(1 / residual_flexibility_m_per_N)
                                                               : law),
       is_residual_(law.is_rigid() && residual_flexibility_m_per_N > 0),
+      settles_(is_residual_ && own_compliance > 2 * residual_flexibility_m_per_N),
       residual_(is_residual_ ? 0 : residual_flexibility_m_per_N) {}
 
 double SeriesLaw::approach(double a, const LawHistory& history) const {
@@ -30,6 +31,7 @@ double SeriesLaw::stiffness(double a, const LawHistory& history) const {
 
 // By Simpson's rule where the difference of energies would be rounding.
 double SeriesLaw::mean_force(const LawHistory& history, double from, double to) const {
+  if (settles_) return law_.force(to, history);
   if (residual_ == 0 && std::abs(to - from) < 1e-3 * std::max(std::abs(from), std::abs(to))) {
     const double middle = law_.force(0.5 * (from + to), history);
     return (law_.force(from, history) + 4 * middle + law_.force(to, history)) / 6;
@@ -47,7 +49,7 @@ double SeriesLaw::mean_force(const LawHistory& history, double from, double to) 
 
 ContactState::ContactState(const MarchedContact& given, double own_compliance, std::size_t size)
     : given_(given),
-      interface_(given.law, given.residual_flexibility_m_per_N),
+      interface_(given.law, given.residual_flexibility_m_per_N, own_compliance),
       compliance_(own_compliance),
       indentation_(0.0 - given.gap_m) {
   require(given.preload_N >= 0, "preload {} N is negative", given.preload_N);

@@ -7,10 +7,12 @@
 namespace impulse {
 
 /// A law with the bodies' residual flexibility R in series: at the law's indentation a the bodies have approached by a
-/// + R F, and the energy taken up is E + R F²/2. A rigid contact with R > 0 is the spring 1/R.
+/// + R F, and the energy taken up is E + R F²/2. A rigid contact with R > 0 is the spring 1/R; where the step does not
+/// resolve that spring, because the bodies yield to the force of a step (`own_compliance`) by more than 2R, its mean
+/// force is that at the step's end, which settles instead of alternating and loses R(ΔF)²/2 a step.
 class SeriesLaw {
  public:
-  SeriesLaw(const ContactLaw& law, double residual_flexibility_m_per_N);
+  SeriesLaw(const ContactLaw& law, double residual_flexibility_m_per_N, double own_compliance);
 
   [[nodiscard]] bool is_rigid() const { return law_.is_rigid(); }
   [[nodiscard]] const ContactLaw& law() const { return law_; }
@@ -25,6 +27,7 @@ class SeriesLaw {
  private:
   ContactLaw law_;
   bool is_residual_;
+  bool settles_;
   double residual_;
 };
 
