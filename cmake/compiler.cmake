@@ -6,6 +6,7 @@ target_include_directories(impulse_options SYSTEM INTERFACE
   $<TARGET_PROPERTY:Eigen3::Eigen,INTERFACE_INCLUDE_DIRECTORIES>)
 
 option(IMPULSE_SANITIZE "Address and undefined-behaviour sanitizers" OFF)
+option(IMPULSE_FUZZERS "Fuzzers of the record readers alone, with clang (tests/fuzz/run)" OFF)
 option(IMPULSE_BENCHMARKS "Build bench/" OFF)
 if(IMPULSE_SANITIZE)
   add_compile_options(-fsanitize=address,undefined -fno-sanitize-recover=all -fno-omit-frame-pointer)

@@ -1,19 +1,24 @@
 #include "lib/cli/run_tool.hpp"
 #include "lib/contract/errors.hpp"
 #include "lib/csv/csv_output.hpp"
+#include "lib/records/mat_file.hpp"
 #include "lib/records/record_conversion.hpp"
 #include "lib/records/record_csv.hpp"
 #include "lib/records/record_format.hpp"
+#include "lib/records/universal_file.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
+#include <filesystem>
 
 namespace {
 
 using namespace impulse;
 using Calibration = RecordConversion::Calibration;
+
+enum class OutputFormat { csv, universal, universal_binary, mat, mat73 };
 
 struct Options {
   std::vector<std::string> files;
@@ -28,20 +33,25 @@ struct Options {
   std::optional<std::string> delimiter;
   std::optional<char> decimal_sign;
   std::optional<double> step, rate, start;
+  std::optional<OutputFormat> to;
+  bool incomplete = false;
+  std::optional<ByteOrder> byte_order;
   std::string output;
 };
 
-const ToolPage page{"ir-convert", "Convert the record of an oscilloscope, recorder or analyser to CSV in SI units.",
-                    "Reads delimited text (any delimiter, decimal point or comma, headings, any line ends, UTF-8, "
-                    "Latin-1 and others), Tektronix "
-                    "oscilloscope CSV, LabVIEW .lvm, Dewesoft text, transient recorders' text and Los Alamos "
-                    "Kolsky-bar .raw files, and says on standard error "
-                    "what it saw, what it took for granted and what it repaired. A column of times that was rounded "
-                    "until values repeat is rebuilt from the rate.\n"
-                    "CHANNEL is a name or a number from 1, as --list-channels shows them.",
-                    "printf 'Time (ms);Force (kN)\\n0,0;0\\n0,1;1,5\\n0,2;3,25\\n' > record.txt\n"
-                    "ir-convert record.txt --list-channels\n"
-                    "ir-convert record.txt --rename Force=force -o force.csv"};
+const ToolPage page{
+    "ir-convert",
+    "Convert the record of an oscilloscope, recorder or analyser to CSV in SI units, or to a universal or MATLAB file.",
+    "Reads delimited text (any delimiter, decimal point or comma, headings, any line ends, UTF-8, "
+    "Latin-1 and others), Tektronix "
+    "oscilloscope CSV, LabVIEW .lvm, Dewesoft text, transient recorders' text and Los Alamos "
+    "Kolsky-bar .raw files, and says on standard error "
+    "what it saw, what it took for granted and what it repaired. A column of times that was rounded "
+    "until values repeat is rebuilt from the rate.\n"
+    "CHANNEL is a name or a number from 1, as --list-channels shows them.",
+    "printf 'Time (ms);Force (kN)\\n0,0;0\\n0,1;1,5\\n0,2;3,25\\n' > record.txt\n"
+    "ir-convert record.txt --list-channels\n"
+    "ir-convert record.txt --rename Force=force -o force.csv"};
 
 char parse_delimiter(const std::string& text) {
   if (text == "tab" || text == "\\t") return '\t';
@@ -60,7 +70,10 @@ void declare(Command& command, Options& options) {
                   {"lvm", RecordFormat::labview},
                   {"dewesoft", RecordFormat::dewesoft},
                   {"transient", RecordFormat::transient},
-                  {"kolsky", RecordFormat::lanl}},
+                  {"kolsky", RecordFormat::lanl},
+                  {"uff", RecordFormat::universal},
+                  {"mat", RecordFormat::matlab},
+                  {"wav", RecordFormat::wav}},
                  "format of the record");
   command.flag("--list-channels", options.list_channels,
                "write the channels instead, as CSV with their unit, samples, times and extremes");
@@ -90,6 +103,18 @@ void declare(Command& command, Options& options) {
                "between the fields of a text: a character, 'tab' or 'blanks'");
   command.choice("--decimal", options.decimal_sign, {{"point", '.'}, {"comma", ','}}, "decimal sign of a text");
   command.text("--encoding", options.text.encoding, "NAME", "of a text's letters, as iconv calls it");
+  command.flag("--incomplete", options.incomplete, "take what there is of a record that breaks off (uff, wav)");
+  command.choice("--byte-order", options.byte_order, {{"little", ByteOrder::little}, {"big", ByteOrder::big}},
+                 "of binary values (uff), instead of what the file says");
+  command.choice(
+      "--as", options.to,
+      {{"csv", OutputFormat::csv},
+       {"uff58", OutputFormat::universal},
+       {"uff58b", OutputFormat::universal_binary},
+       {"mat", OutputFormat::mat},
+       {"mat73", OutputFormat::mat73}},
+      "format to write: csv, unless the output's name ends in .uff, .unv or .mat. uff58 has 13 digits, 6 of uneven "
+      "times; the others lose nothing");
   command.flag("--quiet", options.quiet, "say nothing of what was seen");
   command.output(options.output);
 }
@@ -99,10 +124,11 @@ ReadOptions read_options(const Options& options) {
   if (options.start && !options.step && !options.rate) throw UsageError("--start", "it goes with --step or --rate");
   if (options.list_channels && options.list_metadata)
     throw UsageError("--list-metadata", "--list-channels writes something else");
-  ReadOptions read{options.format, options.text, {options.step, options.start}};
+  ReadOptions read{options.format, options.text, {options.step, options.start}, {}};
   if (options.rate) read.sampling.step = 1 / *options.rate;
   if (options.delimiter) read.text.delimiter = parse_delimiter(*options.delimiter);
   read.text.decimal_sign = options.decimal_sign;
+  read.binary = {options.incomplete ? Incomplete::take : Incomplete::refuse, options.byte_order};
   return read;
 }
 
@@ -127,7 +153,7 @@ void list_metadata(const RecordHeader& header, const std::string& path) {
   output.close();
 }
 
-void list_channels(RecordRows& rows, const std::string& path) {
+void list_record(RecordRows& rows, std::size_t& number, CsvOutput& output) {
   const RecordHeader& header = rows.header();
   const std::vector<std::string> columns = record_columns(header);
   struct Extremes {
@@ -138,32 +164,101 @@ void list_channels(RecordRows& rows, const std::string& path) {
   while (rows.next(row))
     for (std::size_t i = 0; i < row.size(); ++i)
       extremes[i] = {std::min(extremes[i].least, row[i]), std::max(extremes[i].most, row[i])};
-  CsvOutput output(path,
-                   {"channel", "name", "column", "unit", "samples", "start", "step", "end", "minimum", "maximum"});
+  const Abscissa& abscissa = header.abscissa;
   std::size_t column = 1;
-  for (std::size_t i = 0; i < header.channels.size(); ++i)
-    for (std::size_t part = 0; part < (header.channels[i].is_complex ? 2U : 1U); ++part, ++column)
-      output.row({static_cast<double>(i + 1), header.channels[i].name, columns[column], header.channels[i].unit,
-                  static_cast<double>(header.abscissa.size), extremes[0].least,
-                  header.abscissa.is_even() ? std::optional<double>(header.abscissa.step) : std::nullopt,
-                  extremes[0].most, extremes[column].least, extremes[column].most});
+  for (const ChannelInfo& channel : header.channels) {
+    ++number;
+    for (std::size_t part = 0; part < (channel.is_complex ? 2U : 1U); ++part, ++column)
+      output.row({static_cast<double>(number), channel.name, columns[column], channel.unit, channel.quantity,
+                  static_cast<double>(abscissa.size), extremes[0].least,
+                  abscissa.is_even() ? std::optional<double>(abscissa.step) : std::nullopt, extremes[0].most,
+                  extremes[column].least, extremes[column].most});
+  }
+}
+
+void list_channels(std::vector<std::unique_ptr<RecordRows>>& records, const std::string& path) {
+  CsvOutput output(
+      path, {"channel", "name", "column", "unit", "quantity", "samples", "start", "step", "end", "minimum", "maximum"});
+  std::size_t number = 0;
+  for (const std::unique_ptr<RecordRows>& record : records) list_record(*record, number, output);
   output.close();
+}
+
+OutputFormat output_format(const Options& options) {
+  if (options.to) return *options.to;
+  const std::string extension = std::filesystem::path(options.output).extension().string();
+  if (extension == ".uff" || extension == ".unv") return OutputFormat::universal_binary;
+  return extension == ".mat" ? OutputFormat::mat : OutputFormat::csv;
+}
+
+/// The only record, or the one that has the channels asked for: those of several are counted through.
+std::unique_ptr<RecordRows> chosen_record(std::vector<std::unique_ptr<RecordRows>>& records,
+                                          RecordConversion& conversion) {
+  if (records.size() == 1) return std::move(records.front());
+  std::vector<ChannelInfo> all;
+  std::vector<std::size_t> owners, places;
+  for (std::size_t r = 0; r < records.size(); ++r)
+    for (std::size_t i = 0; i < records[r]->header().channels.size(); ++i) {
+      all.push_back(records[r]->header().channels[i]);
+      owners.push_back(r);
+      places.push_back(i);
+    }
+  if (conversion.channels.empty())
+    throw UsageError("--channel", fmt::format("the file has {} records of different times: say which channels of one "
+                                              "of them (--list-channels lists them)",
+                                              records.size()));
+  const std::size_t owner = owners[channel_index(all, conversion.channels.front(), "--channel")];
+  const auto within = [&](std::string& channel, const char* flag) {
+    const std::size_t index = channel_index(all, channel, flag);
+    if (owners[index] != owner)
+      throw UsageError(flag,
+                       fmt::format("channel '{}' has other times than '{}'", channel, conversion.channels.front()));
+    channel = std::to_string(places[index] + 1);
+  };
+  for (RecordConversion::Named& name : conversion.names) within(name.channel, "--rename");
+  for (RecordConversion::Named& unit : conversion.units) within(unit.channel, "--unit");
+  for (Calibration& calibration : conversion.calibrations) within(calibration.channel, "--scale");
+  std::vector<std::string> chosen = conversion.channels;
+  for (std::string& channel : chosen) within(channel, "--channel");
+  conversion.channels = chosen;
+  return std::move(records[owner]);
+}
+
+void write(const Options& options, RecordRows& record) {
+  const OutputFormat format = output_format(options);
+  if (format == OutputFormat::csv) return write_record_csv(options.output, record);
+  const Record collected = collect_record(record);
+  if (format == OutputFormat::universal || format == OutputFormat::universal_binary)
+    write_universal_file(options.output, collected,
+                         format == OutputFormat::universal ? UniversalForm::text : UniversalForm::binary);
+  else
+    write_mat_file(options.output, collected, format == OutputFormat::mat ? MatVersion::v5 : MatVersion::v73);
 }
 
 int run(const Options& options) {
   const ReadOptions read = read_options(options);
+  RecordConversion conversion = conversion_of(options);
   const RecordFile file(options.files.front());
   std::vector<std::unique_ptr<RecordRows>> records = read_records(file, read);
   if (!options.quiet) say(file.name(), records.front()->header().format);
-  const std::unique_ptr<RecordRows> record = converted_record(std::move(records.front()), conversion_of(options));
-  if (!options.quiet)
-    for (const std::string& note : record->header().notes) say(file.name(), note);
-  if (options.list_metadata)
-    list_metadata(record->header(), options.output);
-  else if (options.list_channels)
-    list_channels(*record, options.output);
+  if (options.list_metadata) {
+    list_metadata(records.front()->header(), options.output);
+    return 0;
+  }
+  if (!options.list_channels || !conversion.channels.empty()) {
+    std::unique_ptr<RecordRows> record = chosen_record(records, conversion);
+    records.clear();
+    records.push_back(std::move(record));
+  }
+  for (std::unique_ptr<RecordRows>& record : records) {
+    record = converted_record(std::move(record), conversion);
+    if (!options.quiet)
+      for (const std::string& note : record->header().notes) say(file.name(), note);
+  }
+  if (options.list_channels)
+    list_channels(records, options.output);
   else
-    write_record_csv(options.output, *record);
+    write(options, *records.front());
   return 0;
 }
 

@@ -213,7 +213,7 @@ UniformGrid uniform_time(const CsvTable& table, TimeOrigin origin) {
     fail(row, fmt::format("time {} s follows {} s: the step is not uniform", time[row], time[row - 1]));
   }
   if (origin == TimeOrigin::zero && std::abs(time.front()) > tolerance * step)
-    fail(0, fmt::format("time begins at {} s (it must begin at 0)", time.front()));
+    fail(0, fmt::format("time begins at {} s (it must begin at 0; ir-convert --zero-time makes it)", time.front()));
   return {step, time.size()};
 }
 

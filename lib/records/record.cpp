@@ -10,6 +10,9 @@ namespace {
 class MemoryRows : public RecordRows {
  public:
   explicit MemoryRows(Record record) : record_(std::move(record)), header_(header_of(record_)) {
+    const std::size_t places = header_.abscissa.is_even() ? 0 : header_.abscissa.size;
+    require(record_.abscissa_values.size() == places, "an uneven abscissa of {} samples has {} values",
+            header_.abscissa.size, record_.abscissa_values.size());
     for (const Channel& channel : record_.channels) {
       require(channel.values.size() == header_.abscissa.size, "channel {} has {} values, the record {}",
               channel.info.name, channel.values.size(), header_.abscissa.size);

@@ -1,5 +1,11 @@
 #include "lib/records/record_format.hpp"
 
+#include "lib/records/mat_file.hpp"
+#include "lib/records/universal_file.hpp"
+#include "lib/records/wav_file.hpp"
+
+#include <fmt/format.h>
+
 namespace impulse {
 namespace {
 
@@ -22,11 +28,38 @@ TextDialect dialect(RecordFormat format) {
   }
 }
 
+RecordFormat format_of(const RecordFile& file) {
+  const std::string head = file.head(4096);
+  if (is_mat_file(head)) return RecordFormat::matlab;
+  if (is_wav_file(head)) return RecordFormat::wav;
+  return is_universal_file(head) ? RecordFormat::universal : RecordFormat::automatic;
+}
+
+/// Formats that say their own sampling; what the user says replaces it.
+void replace_sampling(Record& record, const Sampling& sampling) {
+  if (!sampling.step) return;
+  record.notes.push_back(fmt::format("the step is the one given, {} s", *sampling.step));
+  record.abscissa = {"time", "s", sampling.start.value_or(0), *sampling.step, record.abscissa.size};
+  record.abscissa_values.clear();
+}
+
 }  // namespace
 
 std::vector<std::unique_ptr<RecordRows>> read_records(const RecordFile& file, const ReadOptions& options) {
+  const RecordFormat format = options.format == RecordFormat::automatic ? format_of(file) : options.format;
+  std::vector<Record> found;
+  if (format == RecordFormat::universal) found = read_universal_file(file, options.binary);
+  if (format == RecordFormat::matlab) found = read_mat_file(file, options.sampling);
+  if (format == RecordFormat::wav) found.push_back(read_wav_file(file, options.binary.incomplete));
   std::vector<std::unique_ptr<RecordRows>> records;
-  records.push_back(read_text_record(file, dialect(options.format), options.text, options.sampling));
+  if (found.empty()) {
+    records.push_back(read_text_record(file, dialect(format), options.text, options.sampling));
+    return records;
+  }
+  for (Record& record : found) {
+    if (format != RecordFormat::matlab) replace_sampling(record, options.sampling);
+    records.push_back(record_rows(std::move(record)));
+  }
   return records;
 }
 

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "lib/records/text_record.hpp"
+#include "lib/records/universal_file.hpp"
 
 #include <string>
 #include <utility>
@@ -8,12 +9,13 @@
 
 namespace impulse {
 
-enum class RecordFormat { automatic, delimited, tektronix, labview, dewesoft, transient, lanl };
+enum class RecordFormat { automatic, delimited, tektronix, labview, dewesoft, transient, lanl, universal, matlab, wav };
 
 struct ReadOptions {
   RecordFormat format = RecordFormat::automatic;
   TextOptions text;
   Sampling sampling;
+  BinaryOptions binary;
 };
 
 /// Reads a record of any format that is known; channels with different abscissas come as several records.

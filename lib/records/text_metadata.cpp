@@ -8,6 +8,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 namespace impulse {
@@ -63,6 +64,12 @@ const TextMetadata::Entry* TextMetadata::find(std::initializer_list<std::string_
   return found == entries.end() ? nullptr : &*found;
 }
 
+const TextMetadata::Entry* TextMetadata::find_if(bool (*is_key)(std::string_view)) const {
+  const auto found = std::find_if(entries.begin(), entries.end(),
+                                  [&](const Entry& entry) { return is_key(plain_key(parse_heading(entry.key).name)); });
+  return found == entries.end() ? nullptr : &*found;
+}
+
 bool TextMetadata::Entry::is(std::initializer_list<std::string_view> keys) const {
   const std::string plain = plain_key(parse_heading(key).name);
   return std::find(keys.begin(), keys.end(), plain) != keys.end();
@@ -93,12 +100,23 @@ std::optional<std::string> time_unit(const TextMetadata& metadata) {
   return entry->values.front() == "S" ? "s" : entry->values.front();
 }
 
+bool is_interval_key(std::string_view key) {
+  static constexpr std::array keys{
+      "sampleinterval", "samplinginterval", "interval",  "deltax",         "deltat",   "dt",
+      "timeincrement",  "xincrement",       "increment", "hresolution",    "timestep", "sampleperiod",
+      "samplingperiod", "tinterval",        "stepsize",  "abtastintervall"};
+  return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
+bool is_rate_key(std::string_view key) {
+  static constexpr std::array keys{"samplerate", "samplingrate",    "samplefrequency", "samplingfrequency",
+                                   "fs",         "acquisitionrate", "scanrate",        "abtastrate"};
+  return std::find(keys.begin(), keys.end(), key) != keys.end();
+}
+
 void take_timing(const TextMetadata& metadata, TextLayout& layout) {
-  const TextMetadata::Entry* interval = metadata.find(
-      {"sampleinterval", "samplinginterval", "interval", "deltax", "deltat", "dt", "timeincrement", "xincrement",
-       "increment", "hresolution", "timestep", "sampleperiod", "samplingperiod", "tinterval", "abtastintervall"});
-  const TextMetadata::Entry* rate = metadata.find({"samplerate", "samplingrate", "samplefrequency", "samplingfrequency",
-                                                   "fs", "acquisitionrate", "scanrate", "abtastrate"});
+  const TextMetadata::Entry* interval = metadata.find_if(is_interval_key);
+  const TextMetadata::Entry* rate = metadata.find_if(is_rate_key);
   const std::string unit = time_unit(metadata).value_or("s");
   layout.step = common_number(metadata, interval, unit, "s");
   const TextMetadata::Entry* source = interval;

@@ -22,6 +22,7 @@ struct TextMetadata {
 
   /// The first entry under one of the keys (plain_key). Null if there is none.
   [[nodiscard]] const Entry* find(std::initializer_list<std::string_view> keys) const;
+  [[nodiscard]] const Entry* find_if(bool (*is_key)(std::string_view)) const;
 };
 
 /// `key: value`, `key = value`, or fields of which the first is the key. Nothing for lines of one field.
@@ -31,6 +32,10 @@ struct TextMetadata {
 /// Takes start and step (s) from the metadata, where they are.
 /// @throws InputError if channels have different ones, or a step isn't positive.
 void take_timing(const TextMetadata& metadata, TextLayout& layout);
+
+/// Whether a plain_key is one under which a time step, or a sampling rate, is said.
+[[nodiscard]] bool is_interval_key(std::string_view key);
+[[nodiscard]] bool is_rate_key(std::string_view key);
 
 /// The unit of the times that the metadata say, if they do.
 [[nodiscard]] std::optional<std::string> time_unit(const TextMetadata& metadata);
