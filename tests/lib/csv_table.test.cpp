@@ -150,7 +150,8 @@ TEST_CASE("uniform_time refuses at the offending line") {
   CHECK(time_refusal("time_s\n0\n1\n2.00001\n") == "a.csv:3:1: time 1 s follows 0 s: the step is not uniform");
   CHECK(time_refusal("time_s\n0\n0\n0\n") == "a.csv:3:1: time 0 s follows 0 s: the step is not uniform");
   CHECK(time_refusal("time_s\n2\n1\n0\n") == "a.csv:3:1: time 1 s follows 2 s: the step is not uniform");
-  CHECK(time_refusal("time_s\n1\n2\n3\n") == "a.csv:2:1: time begins at 1 s (it must begin at 0; ir-convert --zero-time makes it)");
+  CHECK(time_refusal("time_s\n1\n2\n3\n") ==
+        "a.csv:2:1: time begins at 1 s (it must begin at 0; ir-convert --zero-time makes it)");
 }
 
 TEST_CASE("uniform_time: a record may have its own origin where that is said") {
