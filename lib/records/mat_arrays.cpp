@@ -118,18 +118,22 @@ void append_utf8(std::string& text, unsigned code) {
 
 class ArrayWalker {
  public:
-  explicit ArrayWalker(int descriptor) : sender_(descriptor) {}
+  ArrayWalker(int descriptor, std::uint64_t most_elements) : sender_(descriptor), elements_left_(most_elements) {}
 
   void walk(const std::string& name, matvar_t* variable, int depth) {
     if (!variable || !variable->data || !variable->dims || variable->rank != 2 || depth > deepest) return;
-    const std::size_t count = variable->dims[0] * variable->dims[1];
+    // matio makes zeros of what a matrix lacks: one with more elements than the file could hold is damaged.
+    const std::size_t rows = variable->dims[0], columns = variable->dims[1];
+    if (columns > 0 && rows > elements_left_ / columns) _exit(1);
+    const std::size_t count = rows * columns;
+    elements_left_ -= count;
     if (variable->class_type == MAT_C_STRUCT) return walk_structure(name, variable, count, depth);
     if (variable->class_type == MAT_C_CELL) {
       for (std::size_t i = 0; i < count; ++i)
         walk(fmt::format("{}{{{}}}", name, i + 1), Mat_VarGetCell(variable, static_cast<int>(i)), depth + 1);
       return;
     }
-    MatArray array{name, variable->dims[0], variable->dims[1], variable->isComplex != 0, false, {}, {}, {}};
+    MatArray array{name, rows, columns, variable->isComplex != 0, false, {}, {}, {}};
     if (variable->class_type == MAT_C_CHAR ? take_text(variable, count, array) : take_numbers(variable, count, array))
       sender_.send(array);
   }
@@ -167,6 +171,7 @@ class ArrayWalker {
   }
 
   ArraySender sender_;
+  std::uint64_t elements_left_;
 };
 
 #if defined(__SANITIZE_ADDRESS__)
@@ -180,16 +185,19 @@ constexpr bool address_sanitizer = false;
 /// The reading process. Never returns.
 [[noreturn]] void read_and_exit(const RecordFile& file, int result) {
   // deflate packs a thousand to one at the best; the sanitizer reserves more memory than any limit allows.
-  const rlim_t memory = (rlim_t{1} << 30) + 1100 * file.size();
+  const std::uint64_t unpacked = 1100 * file.size();
+  const rlim_t memory = (rlim_t{1} << 30) + unpacked;
   const rlimit limit{memory, memory};
   if (!address_sanitizer) ::setrlimit(RLIMIT_AS, &limit);
-  const rlimit seconds{600, 600};
+  // A damaged length can keep matio busy for ever; the slowest disk and packing deliver 2 MB/s.
+  const rlim_t time = 5 + file.size() / 2000000;
+  const rlimit seconds{time, time};
   ::setrlimit(RLIMIT_CPU, &seconds);
   const int null = ::open("/dev/null", O_WRONLY);
   if (null >= 0) ::dup2(null, STDERR_FILENO);
   mat_t* mat = Mat_Open(file.path().c_str(), MAT_ACC_RDONLY);
   if (!mat) _exit(2);
-  ArrayWalker walker(result);
+  ArrayWalker walker(result, unpacked);
   while (matvar_t* variable = Mat_VarReadNext(mat)) {
     walker.walk(variable->name ? variable->name : "", variable, 0);
     Mat_VarFree(variable);

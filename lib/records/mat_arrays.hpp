@@ -23,7 +23,7 @@ struct MatArray {
 /// All matrices and texts of a MATLAB file of version 4, 5 or 7.3, as matio reads them.
 ///
 /// matio and HDF5 trust what a file says of itself: damaged files make them crash. They therefore run in a process of
-/// their own that can take nothing with it; its memory is limited to what the file could unpack to.
+/// their own that can take nothing with it; its memory and its time are limited to what the file could unpack to.
 /// @throws InputError if it fails. Verified by: tests/lib/mat_file.test.cpp
 [[nodiscard]] std::vector<MatArray> read_mat_arrays(const RecordFile& file);
 
