@@ -190,7 +190,7 @@ constexpr bool address_sanitizer = false;
   const rlimit limit{memory, memory};
   if (!address_sanitizer) ::setrlimit(RLIMIT_AS, &limit);
   // A damaged length can keep matio busy for ever; the slowest disk and packing deliver 2 MB/s.
-  const rlim_t time = 5 + file.size() / 2000000;
+  const rlim_t time = 1 + file.size() / 2000000;
   const rlimit seconds{time, time};
   ::setrlimit(RLIMIT_CPU, &seconds);
   const int null = ::open("/dev/null", O_WRONLY);

@@ -66,6 +66,7 @@ std::optional<TextLayout> labview_layout(const TextHead& head) {
                               is_abscissa ? "time" : name, is_abscissa ? "s" : ""});
   }
   take_channels(metadata, layout);
+  layout.stop = "Channels";
   layout.first_line = names + 2;
   return layout;
 }
@@ -83,7 +84,7 @@ std::optional<TextLayout> lanl_layout(const TextHead& head) {
   const double start = *field_number(rows[1][2], '.'), step = *field_number(rows[2][2], '.');
   if (!(step > 0)) return std::nullopt;
 
-  TextLayout layout{"Kolsky bar, Los Alamos (.raw)", '\t', '.', 4, {{}, {}}, start, step, "line 3", {}, {}};
+  TextLayout layout{"Kolsky bar, Los Alamos (.raw)", '\t', '.', 4, {{}, {}}, start, step, "line 3", {}, {}, ""};
   layout.notes.push_back("waveforms are in volts, as in every file of this format");
   for (std::size_t c = 2; c < width; ++c) {
     if (*field_number(rows[1][c], '.') != start || *field_number(rows[2][c], '.') != step)

