@@ -44,9 +44,10 @@ const ToolPage page{
     "Convert the record of an oscilloscope, recorder or analyser to CSV in SI units, or to a universal or MATLAB file.",
     "Reads delimited text (any delimiter, decimal point or comma, headings, any line ends, UTF-8, "
     "Latin-1 and others), Tektronix "
-    "oscilloscope CSV, LabVIEW .lvm, Dewesoft text, transient recorders' text and Los Alamos "
-    "Kolsky-bar .raw files, and says on standard error "
-    "what it saw, what it took for granted and what it repaired. A column of times that was rounded "
+    "oscilloscope CSV, LabVIEW .lvm, Dewesoft text, transient recorders' text, Los Alamos "
+    "Kolsky-bar .raw files, universal files (datasets 58 and 58b), MATLAB files (v4, v5, v7.3) and WAV. Says on "
+    "standard "
+    "error what it saw, what it took for granted and what it repaired. A column of times that was rounded "
     "until values repeat is rebuilt from the rate.\n"
     "CHANNEL is a name or a number from 1, as --list-channels shows them.",
     "printf 'Time (ms);Force (kN)\\n0,0;0\\n0,1;1,5\\n0,2;3,25\\n' > record.txt\n"
@@ -106,15 +107,15 @@ void declare(Command& command, Options& options) {
   command.flag("--incomplete", options.incomplete, "take what there is of a record that breaks off (uff, wav)");
   command.choice("--byte-order", options.byte_order, {{"little", ByteOrder::little}, {"big", ByteOrder::big}},
                  "of binary values (uff), instead of what the file says");
-  command.choice(
-      "--as", options.to,
-      {{"csv", OutputFormat::csv},
-       {"uff58", OutputFormat::universal},
-       {"uff58b", OutputFormat::universal_binary},
-       {"mat", OutputFormat::mat},
-       {"mat73", OutputFormat::mat73}},
-      "format to write: csv, unless the output's name ends in .uff, .unv or .mat. uff58 has 13 digits, 6 of uneven "
-      "times; the others lose nothing");
+  command.choice("--as", options.to,
+                 {{"csv", OutputFormat::csv},
+                  {"uff58", OutputFormat::universal},
+                  {"uff58b", OutputFormat::universal_binary},
+                  {"mat", OutputFormat::mat},
+                  {"mat73", OutputFormat::mat73}},
+                 "format to write: csv, unless the output's name ends in .uff or .unv (uff58b) or .mat. uff58 has 13 "
+                 "digits, 6 of uneven "
+                 "times; the others lose nothing");
   command.flag("--quiet", options.quiet, "say nothing of what was seen");
   command.output(options.output);
 }
@@ -122,6 +123,7 @@ void declare(Command& command, Options& options) {
 ReadOptions read_options(const Options& options) {
   if (options.step && options.rate) throw UsageError("--rate", "--step says the same");
   if (options.start && !options.step && !options.rate) throw UsageError("--start", "it goes with --step or --rate");
+  if (options.to && (options.list_channels || options.list_metadata)) throw UsageError("--as", "a list is always CSV");
   if (options.list_channels && options.list_metadata)
     throw UsageError("--list-metadata", "--list-channels writes something else");
   ReadOptions read{options.format, options.text, {options.step, options.start}, {}};

@@ -1,5 +1,6 @@
 #include "lib/records/record_format.hpp"
 
+#include "lib/contract/errors.hpp"
 #include "lib/records/mat_file.hpp"
 #include "lib/records/universal_file.hpp"
 #include "lib/records/wav_file.hpp"
@@ -35,6 +36,23 @@ RecordFormat format_of(const RecordFile& file) {
   return is_universal_file(head) ? RecordFormat::universal : RecordFormat::automatic;
 }
 
+/// No option is accepted and ignored.
+void require_use(const ReadOptions& options, RecordFormat format) {
+  const bool is_universal = format == RecordFormat::universal, is_wav = format == RecordFormat::wav;
+  const bool is_text = !is_universal && !is_wav && format != RecordFormat::matlab;
+  const auto require_text = [&](bool given, const char* flag) {
+    if (given && !is_text) throw UsageError(flag, "the record is no text");
+  };
+  require_text(options.text.delimiter.has_value(), "--delimiter");
+  require_text(options.text.decimal_sign.has_value(), "--decimal");
+  require_text(options.text.encoding.has_value(), "--encoding");
+  require_text(options.text.abscissa_column.has_value(), "--time-column");
+  if (options.binary.incomplete == Incomplete::take && !is_universal && !is_wav)
+    throw UsageError("--incomplete",
+                     "it goes with universal and WAV files (a text's broken last row is left out without it)");
+  if (options.binary.byte_order && !is_universal) throw UsageError("--byte-order", "it goes with universal files");
+}
+
 /// Formats that say their own sampling; what the user says replaces it.
 void replace_sampling(Record& record, const Sampling& sampling) {
   if (!sampling.step) return;
@@ -47,6 +65,7 @@ void replace_sampling(Record& record, const Sampling& sampling) {
 
 std::vector<std::unique_ptr<RecordRows>> read_records(const RecordFile& file, const ReadOptions& options) {
   const RecordFormat format = options.format == RecordFormat::automatic ? format_of(file) : options.format;
+  require_use(options, format);
   std::vector<Record> found;
   if (format == RecordFormat::universal) found = read_universal_file(file, options.binary);
   if (format == RecordFormat::matlab) found = read_mat_file(file, options.sampling);

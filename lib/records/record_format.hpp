@@ -19,8 +19,8 @@ struct ReadOptions {
 };
 
 /// Reads a record of any format that is known; channels with different abscissas come as several records.
-/// `file` must outlive them. @throws InputError for what is wrong in the file, with the line or byte.
-/// Verified by: tests/tools/ir-convert/
+/// `file` must outlive them. @throws InputError for what is wrong in the file, with the line or byte; UsageError for an
+/// option that its format has no use for. Verified by: tests/tools/ir-convert/
 [[nodiscard]] std::vector<std::unique_ptr<RecordRows>> read_records(const RecordFile& file, const ReadOptions& options);
 
 }  // namespace impulse
