@@ -9,6 +9,8 @@
 #include <cmath>
 #include <filesystem>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
 namespace impulse {
 namespace {
@@ -34,6 +36,14 @@ std::vector<std::string> split(const std::string& text, char separator) {
   return parts;
 }
 
+/// Whether constants follow the name of a law; the name of a file may have colons of its own.
+bool has_constants(const std::string& text) {
+  const std::size_t colon = text.find(':');
+  if (colon == std::string::npos) return false;
+  const std::string name = text.substr(0, colon);
+  return name == "rigid" || name == "linear" || name == "hertz" || name == "tan-sun";
+}
+
 }  // namespace
 
 /// Which options a law takes.
@@ -44,8 +54,9 @@ struct LawOptions::Use {
 void LawOptions::declare(Command& command) {
   command.text(
       "--law", laws_, "rigid|linear|hertz|tan-sun|TABLE.csv",
-      "contact law (default: rigid); a table has columns indentation_m,loading_force_N[,unloading_force_N]; of "
-      "several contacts all the same, or repeated for each with its constants, linear:1e8N/m");
+      "contact law (default: rigid); a table has columns indentation_m,loading_force_N[,unloading_force_N]; constants "
+      "in options of their own, or after colons: linear:1e8N/m, hertz:1e9N/m^1.5, tan-sun:STIFFNESS:BETA:INDENTATION; "
+      "once for all contacts, or with colons once for each");
   command
       .text("--stiffness", stiffness_, "STIFFNESS", "contact stiffness: N/m for linear, N/m^1.5 for hertz and tan-sun")
       .or_number();
@@ -108,30 +119,63 @@ double LawOptions::stiffness_of_tip() const {
   return hertz_stiffness(*tip_radius_m_, *tip_material_, *target_modulus_Pa_);
 }
 
+void LawOptions::refuse_separate_constants(const std::string& message) const {
+  const std::pair<const char*, bool> constants[] = {{"--stiffness", stiffness_.has_value()},
+                                                    {"--tip-radius", tip_radius_m_.has_value()},
+                                                    {"--tip-material", tip_material_.has_value()},
+                                                    {"--target-modulus", target_modulus_Pa_.has_value()},
+                                                    {"--permanent-beta", permanent_beta_.has_value()},
+                                                    {"--critical-indentation", critical_indentation_m_.has_value()}};
+  for (const auto& [flag, given] : constants)
+    if (given) throw UsageError(flag, message);
+}
+
 std::vector<ContactLaw> LawOptions::laws(std::size_t contact_count) const {
   if (laws_.size() <= 1) return std::vector<ContactLaw>(contact_count, law());
+  refuse_separate_constants("each of several laws has its constants after colons, --law linear:1e8N/m");
   if (laws_.size() != contact_count)
-    throw UsageError("--law", fmt::format("given {} times for {} contacts; give it once, or once for each",
-                                          laws_.size(), contact_count));
+    throw UsageError("--law", fmt::format("given {} times for {} contact{}; give it once, or once for each",
+                                          laws_.size(), contact_count, contact_count == 1 ? "" : "s"));
   std::vector<ContactLaw> laws;
-  for (const std::string& text : laws_) {
-    LawOptions one;
-    std::vector<std::string> parts = split(text, ':');
+  for (const std::string& text : laws_) laws.push_back(law_in(text));
+  return laws;
+}
+
+ContactLaw LawOptions::law() const {
+  if (!has_constants(name())) return separate_law();
+  refuse_separate_constants(fmt::format("'{}' has its constants already", name()));
+  return law_in(name());
+}
+
+ContactLaw LawOptions::law_in(const std::string& text) {
+  LawOptions one;
+  one.laws_ = {text};
+  if (has_constants(text)) {
+    const std::vector<std::string> parts = split(text, ':');
+    const std::size_t most = parts[0] == "rigid" ? 0 : parts[0] == "tan-sun" ? 3 : 1;
+    if (parts.size() > most + 1)
+      throw UsageError("--law", fmt::format("'{}': {} takes {}", text, parts[0],
+                                            most == 0   ? "no constants"
+                                            : most == 1 ? "one constant, its stiffness"
+                                                        : "three constants, STIFFNESS:BETA:INDENTATION"));
     one.laws_ = {parts[0]};
-    if (parts.size() > 1) one.stiffness_ = parts[1];
+    one.stiffness_ = parts[1];
     try {
       if (parts.size() > 2) one.permanent_beta_ = parse_quantity(parts[2], "1");
       if (parts.size() > 3) one.critical_indentation_m_ = parse_quantity(parts[3], "m");
     } catch (const std::invalid_argument& error) {
       throw UsageError("--law", fmt::format("'{}': {}", text, error.what()));
     }
-    if (parts.size() > 4) throw UsageError("--law", fmt::format("'{}' has too many parts", text));
-    laws.push_back(one.law());
   }
-  return laws;
+  try {
+    return one.separate_law();
+  } catch (const UsageError& error) {
+    const std::string_view message = error.what();
+    throw UsageError("--law", fmt::format("'{}': {}", text, message));
+  }
 }
 
-ContactLaw LawOptions::law() const {
+ContactLaw LawOptions::separate_law() const {
   const std::string law = name();
   if (law == "rigid") {
     require_use({.stiffness = false, .tip = false, .permanent = false});

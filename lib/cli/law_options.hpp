@@ -17,6 +17,7 @@ namespace impulse {
 ///   --law hertz             --stiffness in N/m^1.5, or --tip-radius --tip-material --target-modulus (hertz_stiffness)
 ///   --law tan-sun           as hertz, and --permanent-beta --critical-indentation
 ///   --law FILE              nothing else; a CSV table (read_law_table), `-` is stdin
+///   --law NAME:CONSTANTS    nothing else: linear:STIFFNESS, hertz:STIFFNESS, tan-sun:STIFFNESS:BETA:INDENTATION
 ///
 /// Verified by: tests/lib/law_options.test.cpp
 class LawOptions {
@@ -24,8 +25,7 @@ class LawOptions {
   void declare(Command& command);
 
   /// One law a contact: the law that was described, for every contact; or, where --law is given once a contact, each by
-  /// itself with its constants after colons: rigid, linear:STIFFNESS, hertz:STIFFNESS,
-  /// tan-sun:STIFFNESS:BETA:INDENTATION or a FILE.
+  /// itself, its constants after colons.
   /// @throws as law(), and UsageError if the numbers of laws and contacts differ.
   [[nodiscard]] std::vector<ContactLaw> laws(std::size_t contact_count) const;
 
@@ -35,6 +35,9 @@ class LawOptions {
 
  private:
   struct Use;
+  [[nodiscard]] static ContactLaw law_in(const std::string& text);  ///< one --law with all that belongs to it
+  [[nodiscard]] ContactLaw separate_law() const;                    ///< its constants in options of their own
+  void refuse_separate_constants(const std::string& message) const;
   void require_use(const Use& use) const;
   [[nodiscard]] double stiffness(const std::string& unit) const;
   [[nodiscard]] double stiffness_of_tip() const;

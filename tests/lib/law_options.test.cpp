@@ -19,15 +19,17 @@ namespace {
 
 doctest::Approx rounded(double value) { return doctest::Approx(value).epsilon(1e-13).scale(0); }
 
-ContactLaw law_of(const std::vector<std::string>& arguments) {
+LawOptions options_of(const std::vector<std::string>& arguments) {
   Command command({"ir-test", "Tests the law.", "", "ir-test"});
   LawOptions options;
   options.declare(command);
   std::vector<const char*> argv{"ir-test"};
   for (const std::string& argument : arguments) argv.push_back(argument.c_str());
   (void)command.parse(static_cast<int>(argv.size()), argv.data());
-  return options.law();
+  return options;
 }
+
+ContactLaw law_of(const std::vector<std::string>& arguments) { return options_of(arguments).law(); }
 
 std::string refusal(const std::vector<std::string>& arguments) {
   try {
@@ -87,6 +89,61 @@ TEST_CASE("law options: hertz and tan-sun take the stiffness of a tip on a targe
   CHECK(tan_sun.permanent_indentation(history) == rounded(0.094 * (at - 1.667e-4)));
   CHECK(law_of(with({"--law", "tan-sun", "--stiffness", "1e9"}, permanent)).force(at, {}) ==
         rounded(1e9 * std::pow(at, 1.5)));
+}
+
+TEST_CASE("law options: constants may follow the name of the law") {
+  CHECK(law_of({"--law", "rigid"}).is_rigid());
+  CHECK(law_of({"--law", "linear:2kN/mm"}).force(at, {}) == rounded(2e6 * at));
+  CHECK(law_of({"--law", "hertz:1.413e6N/cm^1.5"}).force(at, {}) == rounded(1.413e9 * std::pow(at, 1.5)));
+  const ContactLaw tan_sun = law_of({"--law", "tan-sun:1e9:0.094:0.1667mm"});
+  CHECK(tan_sun.permanent_indentation(tan_sun.advanced({}, at)) == rounded(0.094 * (at - 1.667e-4)));
+  for (const auto& [flag, value] : std::vector<std::pair<std::string, std::string>>{{"--stiffness", "1e6"},
+                                                                                    {"--tip-radius", "1mm"},
+                                                                                    {"--tip-material", "steel:0.3"},
+                                                                                    {"--target-modulus", "1GPa"},
+                                                                                    {"--permanent-beta", "0.1"},
+                                                                                    {"--critical-indentation", "1mm"}})
+    CHECK(refusal({"--law", "hertz:1e9", flag, value}) == flag + ": 'hertz:1e9' has its constants already");
+  CHECK(refusal({"--law", "rigid:1"}) == "--law: 'rigid:1': rigid takes no constants");
+  CHECK(refusal({"--law", "linear:1:2"}) == "--law: 'linear:1:2': linear takes one constant, its stiffness");
+  CHECK(refusal({"--law", "tan-sun:1:0.1:1mm:4"}) ==
+        "--law: 'tan-sun:1:0.1:1mm:4': tan-sun takes three constants, STIFFNESS:BETA:INDENTATION");
+  CHECK(refusal({"--law", "hertz:"}).starts_with("--law: 'hertz:': --stiffness: ''"));
+  CHECK(refusal({"--law", "hertz:5N/m"}).starts_with("--law: 'hertz:5N/m': --stiffness: '5N/m': wrong dimension"));
+  CHECK(refusal({"--law", "tan-sun:1e9"}) == "--law: 'tan-sun:1e9': --permanent-beta: --law tan-sun needs it");
+  CHECK(refusal({"--law", "tan-sun:1e9:0.1kg:1mm"}).starts_with("--law: 'tan-sun:1e9:0.1kg:1mm': '0.1kg'"));
+  CHECK(refusal({"--law", "herz:1e9"}) == "--law: 'herz:1e9' is neither rigid, linear, hertz or tan-sun nor a file");
+}
+
+TEST_CASE("law options: one law for all contacts, or one each with its constants") {
+  const std::vector<ContactLaw> same = options_of({"--law", "hertz", "--stiffness", "1e9"}).laws(3);
+  REQUIRE(same.size() == 3);
+  CHECK(same[2].force(at, {}) == rounded(1e9 * std::pow(at, 1.5)));
+  const TemporaryDirectory directory;
+  const std::string path = directory.write("a:b.csv", "indentation_m,loading_force_N\n0,0\n1e-3,500\n");
+  const std::vector<ContactLaw> own =
+      options_of({"--law", "linear:2e6", "--law", "rigid", "--law", path, "--law", "hertz:1e9"}).laws(4);
+  REQUIRE(own.size() == 4);
+  CHECK(own[0].force(at, {}) == rounded(2e6 * at));
+  CHECK(own[1].is_rigid());
+  CHECK(own[2].force(at, {}) == rounded(200));
+  CHECK(own[3].force(at, {}) == rounded(1e9 * std::pow(at, 1.5)));
+  const auto refused = [](const std::vector<std::string>& arguments, std::size_t contacts) -> std::string {
+    try {
+      (void)options_of(arguments).laws(contacts);
+    } catch (const UsageError& error) {
+      return error.what();
+    }
+    return "no error";
+  };
+  CHECK(refused({"--law", "rigid", "--law", "linear:1"}, 3) ==
+        "--law: given 2 times for 3 contacts; give it once, or once for each");
+  CHECK(refused({"--law", "rigid", "--law", "rigid"}, 1) ==
+        "--law: given 2 times for 1 contact; give it once, or once for each");
+  CHECK(refused({"--law", "linear:1", "--law", "linear:2", "--stiffness", "3"}, 2) ==
+        "--stiffness: each of several laws has its constants after colons, --law linear:1e8N/m");
+  CHECK(refused({"--law", "linear:1", "--law", "linear"}, 2) ==
+        "--law: 'linear': --stiffness: --law linear needs it, a stiffness such as 2kN/mm");
 }
 
 TEST_CASE("law options: any other word is the file of a table") {
