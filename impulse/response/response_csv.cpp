@@ -3,6 +3,7 @@
 #include "lib/contract/errors.hpp"
 #include "lib/csv/csv_output.hpp"
 
+#include <algorithm>
 #include <numbers>
 
 namespace impulse {
@@ -23,6 +24,8 @@ PairNames names_of(std::size_t contacts, std::size_t i, std::size_t j) {
           pair_name("step_displacement", "m_per_N", contacts, i, j)};
 }
 
+constexpr std::size_t largest_contact_count = 9;  // one digit a contact
+
 std::string participation_name(std::size_t contacts, std::size_t i) {
   return contacts == 1 ? "participation_per_sqrt_kg" : fmt::format("participation_{}_per_sqrt_kg", i + 1);
 }
@@ -31,18 +34,36 @@ std::string constant_name(const char* stem, const char* unit, Eigen::Index i, Ei
   return fmt::format("{}_{}{}_{}", stem, i + 1, j + 1, unit);
 }
 
+bool has_any(const CsvTable& table, const PairNames& names) {
+  return table.has(names.g) || table.has(names.h) || table.has(names.u);
+}
+
+/// The largest number that any pair names, so that a pair that is not there is missed.
 std::size_t contact_count(const CsvTable& table) {
-  std::size_t count = 0;
-  while (count < 9 && (table.has(names_of(2, count, count).u) || table.has(names_of(2, count, count).g))) ++count;
-  return std::max<std::size_t>(1, count);
+  std::size_t count = 1;
+  for (std::size_t i = 0; i < largest_contact_count; ++i)
+    for (std::size_t j = 0; j < largest_contact_count; ++j)
+      if (has_any(table, names_of(largest_contact_count, i, j))) count = std::max({count, i + 1, j + 1});
+  return count;
+}
+
+void require_pair(const CsvTable& table, std::size_t contacts, std::size_t i, std::size_t j) {
+  const PairNames names = names_of(contacts, i, j);
+  if (contacts == 1 || has_any(table, names)) return;
+  throw InputError(
+      table.file(), 1, 0,
+      fmt::format("pair {}{} is missing: no column {} (responses of {} contacts to each other are {} pairs)", i + 1,
+                  j + 1, names.u, contacts, contacts * contacts));
 }
 
 /// Columns that hold one number, repeated; zero where there are none.
 Eigen::MatrixXd constants(const CsvTable& table, const char* stem, const char* unit, Eigen::Index contacts) {
   Eigen::MatrixXd values = Eigen::MatrixXd::Zero(contacts, contacts);
+  std::string missing, there;
   for (Eigen::Index i = 0; i < contacts; ++i)
     for (Eigen::Index j = 0; j < contacts; ++j) {
       const std::string name = constant_name(stem, unit, i, j);
+      (table.has(name) ? there : missing) = name;
       if (!table.has(name)) continue;
       const std::vector<double>& column = table.column(name);
       for (std::size_t row = 1; row < column.size(); ++row)
@@ -52,6 +73,8 @@ Eigen::MatrixXd constants(const CsvTable& table, const char* stem, const char* u
               fmt::format("{} is one number repeated down the rows, but {} follows {}", name, column[row], column[0]));
       values(i, j) = column[0];
     }
+  if (!there.empty() && !missing.empty())
+    throw InputError(table.file(), 1, 0, fmt::format("column {} is missing beside {}", missing, there));
   return values;
 }
 
@@ -124,6 +147,8 @@ void write_modes(const std::string& path, const ModalModel& body) {
 Response response_from(const CsvTable& table, DiracParts dirac) {
   Response response = zero_response(uniform_time(table), contact_count(table));
   for (std::size_t i = 0; i < response.contact_count; ++i)
+    for (std::size_t j = 0; j < response.contact_count; ++j) require_pair(table, response.contact_count, i, j);
+  for (std::size_t i = 0; i < response.contact_count; ++i)
     for (std::size_t j = 0; j < response.contact_count; ++j)
       read_pair(table, dirac, names_of(response.contact_count, i, j), response.grid, response.pair(i, j));
   return response;
@@ -132,9 +157,10 @@ Response response_from(const CsvTable& table, DiracParts dirac) {
 bool holds_modes(const CsvTable& table) { return table.has("frequency_Hz"); }
 
 ModalModel modes_from(const CsvTable& table) {
-  std::size_t contacts = 0;
-  while (table.has(participation_name(2, contacts))) ++contacts;
-  contacts = std::max<std::size_t>(1, contacts);
+  std::size_t contacts = 1;
+  for (std::size_t i = 0; i < largest_contact_count; ++i)
+    if (table.has(participation_name(largest_contact_count, i))) contacts = i + 1;
+  for (std::size_t i = 0; i < contacts; ++i) (void)table.field(participation_name(contacts, i));
   const auto p = static_cast<Eigen::Index>(contacts);
   const auto modes = static_cast<Eigen::Index>(table.row_count());
   ModalModel body{2 * std::numbers::pi * Eigen::Map<const Eigen::VectorXd>(table.column("frequency_Hz").data(), modes),
