@@ -4,6 +4,7 @@
 #include "lib/contract/errors.hpp"
 #include "lib/law/impact_csv.hpp"
 #include "tools/support/body_file.hpp"
+#include "tools/support/two_outputs.hpp"
 
 #include <fmt/format.h>
 
@@ -199,6 +200,7 @@ void run_contacts(const Request& request, const ExplicitContacts& contacts, cons
 }
 
 int run(const Request& request, const Command& command) {
+  require_apart(request.contacts, request.output);
   const std::vector<DescribedBody> bodies = read_bodies(request);
   const std::size_t count = bodies.size() == 2 ? bodies[0].contact_count : bodies.size() - 1;
   (void)grid_over(request.impact.duration_s, request.impact.step_s);  // refuses too many samples before they cost time

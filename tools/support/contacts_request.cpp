@@ -4,6 +4,7 @@
 #include "lib/contract/errors.hpp"
 #include "lib/csv/csv_table.hpp"
 #include "lib/law/impact_csv.hpp"
+#include "tools/support/two_outputs.hpp"
 
 #include <fmt/format.h>
 
@@ -97,6 +98,7 @@ std::vector<BodyEnergy> ContactsRequest::energies(const StruckBodies& bodies, do
 
 void ContactsRequest::run(const StruckBodies& bodies, double speed_m_per_s, bool summary,
                           const std::string& output) const {
+  require_apart(contacts_, output);
   ContactsProblem asked = problem(bodies, speed_m_per_s);
   const ContactsSolution solution = [&] {
     Progress progress("ir-impact");
