@@ -93,6 +93,8 @@ class Run {
                                   contact_end_s_,
                                   energy_error_,
                                   trial_count_ + (bisection_ ? bisection_->trial_count() : 0)};
+    for (std::size_t i = 0; i < contacts_count(); ++i)
+      if (!state_.laws[i]) bridge_wave_fronts(result.traces[i].in_contact);
     for (std::size_t b = 0; b < flights_.size(); ++b)
       result.balances.push_back(balance(bodies_.bodies[b], flights_[b], b));
     return result;
@@ -171,8 +173,11 @@ class Run {
     return n;
   }
 
-  /// Samples without compression that end a rigid contact.
-  [[nodiscard]] std::size_t patience() const { return contacts_.after_contact == AfterContact::touch_again ? 1 : 3; }
+  /// Samples without compression after which a rigid contact lets go; one that may touch again need not wait to see
+  /// whether a wave front brings the force back.
+  [[nodiscard]] std::size_t patience() const {
+    return contacts_.after_contact == AfterContact::touch_again ? 1 : samples_that_end_a_rigid_contact;
+  }
 
   void keep_for_return(std::size_t n) {
     const bool rigid = std::ranges::any_of(

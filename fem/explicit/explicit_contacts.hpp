@@ -41,13 +41,14 @@ struct ExplicitContactsResult {
 /// dissipated = 0 to rounding but for the residual flexibility, whose energy the bodies hold. Open where α ≤ α0.
 /// A rigid contact: as explicit_impact matches velocities from the step at whose end α ≥ 0 while the faces still
 /// approach; the force of that sample, F = (v₁ - v₂)/(½Δt Σ cᵀM⁻¹c), exchanges the momentum of the nodes. Contact
-/// ends with the third successive sample without compression, or, if the bodies may touch again, with the first one,
-/// at the linear zero of the force; all bodies then return to its last sample in compression. What the faces had
-/// approached too far when the step ended, less than a step's way, is forgiven: α counts from there and is 0 while they
-/// stick. Running impulse and works are trapezoidal sums. Faces that touch at t = 0 without approaching each other wait
-/// until they do.
-/// A rigid contact whose bodies have a residual flexibility R there is the spring 1/R; of any other law R lies in
-/// series. Unless they may touch again, a contact that has ended never closes again.
+/// ends with the third successive sample without compression, at the linear zero of the force; all bodies then return
+/// to its last sample in compression. Bodies that may touch again part with the first such sample, since a wave front
+/// that brings the force back finds them there; in the record that is one contact if they meet again before the third.
+/// What the faces had approached too far when the step ended, less than a step's way, is forgiven: α counts from there
+/// and is 0 while they stick. Running impulse and works are trapezoidal sums. Faces that touch at t = 0 without
+/// approaching each other wait until they do. A rigid contact whose bodies have a residual flexibility R there is the
+/// spring 1/R; of any other law R lies in series. Unless they may touch again, a contact that has ended never closes
+/// again.
 ///
 ///   energy_error = |Σ (V₁ - V₂) ∫F dt - Σ W - stored - dissipated| / Σ (V₁ - V₂) ∫F dt   (W: ExplicitImpactResult)
 ///

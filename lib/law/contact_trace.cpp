@@ -18,6 +18,19 @@ double crossing_s(const std::vector<double>& indentation, const UniformGrid& gri
 
 }  // namespace
 
+void bridge_wave_fronts(std::vector<bool>& in_contact) {
+  std::size_t open = samples_that_end_a_rigid_contact;  // samples since the last one in contact
+  for (std::size_t n = 0; n < in_contact.size(); ++n) {
+    if (!in_contact[n]) {
+      ++open;
+      continue;
+    }
+    if (open < samples_that_end_a_rigid_contact)
+      for (std::size_t k = n - open; k < n; ++k) in_contact[k] = true;
+    open = 0;
+  }
+}
+
 std::vector<ContactInterval> contact_intervals(const ContactTrace& trace, const UniformGrid& grid) {
   std::vector<ContactInterval> intervals;
   for (std::size_t k = 0; k < grid.size;) {

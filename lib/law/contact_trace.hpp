@@ -28,6 +28,14 @@ struct ContactTrace {
   std::vector<double> work_2_J;  ///< received so far by the body on side 2
 };
 
+/// Samples without force with the first of which a rigid contact has ended: a wave front that arrives between samples
+/// spoils two at most.
+inline constexpr std::size_t samples_that_end_a_rigid_contact = 3;
+
+/// Closes the openings of a rigid contact that are shorter than that. Those before its first and after its last sample
+/// in contact stay. Verified by: tests/lib/contact_trace.test.cpp
+void bridge_wave_fronts(std::vector<bool>& in_contact);
+
 /// One period of contact.
 struct ContactInterval {
   double start_s = 0;

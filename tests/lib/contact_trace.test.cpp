@@ -26,6 +26,17 @@ TEST_CASE("contact_trace: periods of contact begin and end at the zeros of the i
   CHECK(periods[2].end_s == 8);
 }
 
+TEST_CASE("contact_trace: a rigid contact ends with the first of three samples without force, not of two") {
+  const auto bridged = [](std::vector<bool> in_contact) {
+    bridge_wave_fronts(in_contact);
+    return in_contact;
+  };
+  CHECK(bridged({0, 0, 1, 0, 0, 1, 0, 1, 1, 0, 0}) == std::vector<bool>{0, 0, 1, 1, 1, 1, 1, 1, 1, 0, 0});
+  CHECK(bridged({1, 0, 0, 0, 1, 0, 1}) == std::vector<bool>{1, 0, 0, 0, 1, 1, 1});
+  CHECK(bridged({0, 0}) == std::vector<bool>{0, 0});
+  CHECK(bridged({}).empty());
+}
+
 TEST_CASE("contact_trace: a rigid contact counts from its first to its last sample in contact") {
   ContactTrace trace;
   trace.indentation_m = {-2, -1, 0, 0, 0, -1};
