@@ -2,16 +2,12 @@
 
 #include "impulse/contact/step_means.hpp"
 #include "lib/contract/require.hpp"
+#include "lib/law/contact_trace.hpp"
 #include "lib/numerics/roots.hpp"
 
 #include <cmath>
 
 namespace impulse {
-namespace {
-
-constexpr std::size_t patience = 3;  ///< steps without force that end a rigid contact
-
-}  // namespace
 
 SeriesLaw::SeriesLaw(const ContactLaw& law, double residual_flexibility_m_per_N, double own_compliance)
     : law_(law.is_rigid() && residual_flexibility_m_per_N > 0 ? ContactLaw::linear(1 / residual_flexibility_m_per_N)
@@ -29,17 +25,18 @@ double SeriesLaw::stiffness(double a, const LawHistory& history) const {
   return own / (1 + residual_ * own);
 }
 
-// By Simpson's rule where the difference of energies would be rounding.
+// By Simpson's rule where the difference of energies would be rounding; the residual flexibility takes its share of the
+// way, under the mean of the ends.
 double SeriesLaw::mean_force(const LawHistory& history, double from, double to) const {
-  if (settles_) return law_.force(to, history);
-  if (residual_ == 0 && std::abs(to - from) < 1e-3 * std::max(std::abs(from), std::abs(to))) {
-    const double middle = law_.force(0.5 * (from + to), history);
-    return (law_.force(from, history) + 4 * middle + law_.force(to, history)) / 6;
-  }
-  const double distance = approach(to, history) - approach(from, history);
-  if (distance == 0) return law_.force(to, history);
   const double f_from = law_.force(from, history);
   const double f_to = law_.force(to, history);
+  if (from == to || settles_) return f_to;
+  if (std::abs(to - from) < 1e-3 * std::max(std::abs(from), std::abs(to))) {
+    const double own = (f_from + 4 * law_.force(0.5 * (from + to), history) + f_to) / 6;
+    const double share = residual_ * (f_to - f_from) / (to - from);
+    return (own + share * 0.5 * (f_from + f_to)) / (1 + share);
+  }
+  const double distance = approach(to, history) - approach(from, history);
   const double springs = 0.5 * residual_ * (f_to - f_from) * (f_to + f_from);
   const LawHistory after = law_.advanced(history, to);
   const double taken_up =
@@ -60,6 +57,7 @@ ContactState::ContactState(const MarchedContact& given, double own_compliance, s
   last_force_ = given.preload_N;
   touched_ = given.preload_N > 0;
   approach_ = interface_.is_rigid() ? indentation_ : interface_.approach(indentation_, history_);
+  proposed_end_ = indentation_;
   result_.mean_force_N.reserve(size - 1);
   record();
 }
@@ -76,6 +74,10 @@ double ContactState::force_for(double free) {
   if (free <= opens_at && indentation_ <= opens_at) return 0;
   proposed_end_ = end_indentation(free, opens_at);
   return interface_.mean_force(history_, indentation_, proposed_end_);
+}
+
+double ContactState::proposed_law_force() const {
+  return interface_.is_rigid() || finished_ ? 0 : interface_.law().force(proposed_end_, history_);
 }
 
 void ContactState::accept(double force, double free) {
@@ -99,7 +101,7 @@ void ContactState::accept(double force, double free) {
 }
 
 void ContactState::finish_if_open(Recontact recontact) {
-  const std::size_t open_for = interface_.is_rigid() ? patience : 0;
+  const std::size_t open_for = interface_.is_rigid() ? samples_that_end_a_rigid_contact : 0;
   if (recontact == Recontact::no && touched_ && !closed() && open_steps_ >= open_for) finished_ = true;
 }
 
@@ -111,24 +113,9 @@ MarchedHistory ContactState::take() {
       const bool bears = (n > 0 && mean[n - 1] > 0) || (n < mean.size() && mean[n] > 0);
       result_.in_contact[n] = bears && result_.indentation_m[n] == 0;
     }
-    bridge_wave_fronts();
+    bridge_wave_fronts(result_.in_contact);
   }
   return std::move(result_);
-}
-
-// A front that arrives between samples takes the force of a rigid contact below zero for two steps at most.
-void ContactState::bridge_wave_fronts() {
-  std::vector<bool>& closed = result_.in_contact;
-  std::size_t open = patience;  // samples since the last closed one
-  for (std::size_t n = 0; n < closed.size(); ++n) {
-    if (!closed[n]) {
-      ++open;
-      continue;
-    }
-    if (open < patience)
-      for (std::size_t k = n - open; k < n; ++k) closed[k] = true;
-    open = 0;
-  }
 }
 
 // The law's indentation at the step's end. Force and indentation grow together, so it lies between the free one and

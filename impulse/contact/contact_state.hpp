@@ -49,6 +49,9 @@ class ContactState {
   [[nodiscard]] double stiffness_ratio() const;
 
   [[nodiscard]] double approach() const { return approach_; }
+  /// Force of the law at the last sample, and at the end of the step that force_for proposed; 0 of a rigid contact.
+  [[nodiscard]] double law_force() const { return result_.force_N.back(); }
+  [[nodiscard]] double proposed_law_force() const;
   [[nodiscard]] double preload() const { return given_.preload_N; }
   [[nodiscard]] double free_velocity(std::size_t step) const { return given_.approach_m_per_s[step]; }
 
@@ -59,7 +62,6 @@ class ContactState {
   void settle_preload();
   [[nodiscard]] bool closed() const;
   void record();
-  void bridge_wave_fronts();
 
   const MarchedContact& given_;
   SeriesLaw interface_;

@@ -75,9 +75,13 @@ class Problem {
     return history.stored_J[n] + history.residual_J[n] + history.dissipated_J[n];
   }
 
-  [[nodiscard]] double series_flexibility(const Joint& joint) const {
-    return residual_flexibility(bodies_[joint.first.body], joint.first.contact, joint.first.contact) +
-           residual_flexibility(bodies_[joint.second.body], joint.second.contact, joint.second.contact);
+  /// Residual flexibility of the bodies that both contacts share.
+  [[nodiscard]] double series_flexibility(const Joint& here, const Joint& there) const {
+    double sum = 0;
+    for (const ContactSide& a : {here.first, here.second})
+      for (const ContactSide& b : {there.first, there.second})
+        if (a.body == b.body) sum += residual_flexibility(bodies_[a.body], a.contact, b.contact);
+    return sum;
   }
 
   [[nodiscard]] std::vector<double> free_velocity(std::size_t body) const {
@@ -94,7 +98,9 @@ class Problem {
     for (std::size_t c = 0; c < joints_.size(); ++c) {
       MarchedContact contact;
       contact.law = given_.laws[c];
-      contact.residual_flexibility_m_per_N = series_flexibility(joints_[c]);
+      for (const Joint& other : joints_)
+        contact.residual_flexibility_across_m_per_N.push_back(series_flexibility(joints_[c], other));
+      contact.residual_flexibility_m_per_N = contact.residual_flexibility_across_m_per_N[c];
       contact.gap_m = given_.gaps_m[c];
       contact.preload_N = given_.preload_N;
       contact.approach_m_per_s = free_velocity(joints_[c].first.body);

@@ -50,12 +50,13 @@ struct ContactsSolution {
 ///   w_cc = exit of c + entry of c+1, w_c,c+1 = entry-exit of body c+1.
 ///
 /// The law of a rigid contact whose bodies have a residual flexibility R in all is that flexibility, a spring 1/R; of
-/// any other law R lies in series with it. See contact_march.hpp for the march and its order.
-/// A body given by modes is sampled on the grid or advances its modes; the answer is the same to
-/// rounding.
+/// any other law R lies in series with it. What R_ij of a body does across two of its contacts is in it too. See
+/// contact_march.hpp for the march and its order. A body given by modes is sampled on the grid or advances its modes;
+/// the answer is the same to rounding.
 /// @throws std::invalid_argument if grids, contacts or lengths disagree, and if HistoryMethod::modes is asked for but
 /// no body is given by modes. Verified by: tests/impulse/contacts_problem.test.cpp,
-/// tests/impulse/modal_history.test.cpp
+/// tests/impulse/contact_scenes.test.cpp, tests/impulse/modal_history.test.cpp, tests/cross/contacts.test.cpp,
+/// tests/cross/newmark_contacts.test.cpp
 [[nodiscard]] ContactsSolution solve_contacts(const std::vector<ContactBody>& bodies, const UniformGrid& grid,
                                               const ContactsProblem& problem);
 

@@ -173,3 +173,38 @@ TEST_CASE("cross: a body by its modes with residual flexibility, marched and in 
     CHECK(std::abs(std::log2(apart.front() / apart.back()) / 3 - 2) <= 0.1);
   }
 }
+
+TEST_CASE(
+    "cross: two points on a body of a few modes, whose residual flexibility acts across them, apart with order 2") {
+  const Material steel = parse_material("steel");
+  const Beam upper{0.3, 0.02, 0.010, steel, BeamSupports::free, {0.3, 0.8}};
+  const Beam lower{0.4, 0.02, 0.015, steel, BeamSupports::simple, {0.35, 0.7}};
+  const Structure arriving = beam_structure(upper, {}, beam_mesh_by_count(upper, {}, 8, MassMatrix::lumped));
+  const ModalModel all = modal_model(beam_structure(lower, {}, beam_mesh_by_count(lower, {}, 20, MassMatrix::lumped)));
+  const Structure few = modal_structure(all, 0.999 / all.angular_frequency[2]);
+  const Eigen::Index kept = few.mass.rows();
+  REQUIRE(std::abs(few.residual_flexibility(0, 1)) > 0.1 * few.residual_flexibility(0, 0));
+  ModalModel same = all;
+  same.angular_frequency.conservativeResize(kept);
+  same.damping_ratio.conservativeResize(kept);
+  same.participation.conservativeResize(kept, 2);
+  same.residual_flexibility = few.residual_flexibility;
+  std::vector<double> apart_1, apart_2;
+  for (const double step : {4e-6, 2e-6, 1e-6, 0.5e-6}) {
+    const UniformGrid grid = grid_over(6e-4, step);
+    ContactsProblem problem;
+    problem.speed_m_per_s = {1, 0};
+    problem.laws = {ContactLaw::linear(4e6), ContactLaw::hertz(5e8)};
+    problem.gaps_m = {0, 0};
+    const ContactsSolution marched =
+        solve_contacts({modal_response(modal_model(arriving), grid), modal_response(same, grid)}, problem);
+    const ExplicitContactsResult explicitly = explicit_contacts(
+        {{arriving, 1}, {few}}, {.step_s = step, .duration_s = 6e-4, .laws = problem.laws, .gaps_m = problem.gaps_m});
+    apart_1.push_back(l2(grid, marched.traces[0].force_N, explicitly.traces[0].force_N));
+    apart_2.push_back(l2(grid, marched.traces[1].force_N, explicitly.traces[1].force_N));
+  }
+  for (const std::vector<double>& apart : {apart_1, apart_2}) {
+    CHECK(apart.back() < 1e-6);
+    CHECK(std::abs(std::log2(apart.front() / apart.back()) / 3 - 2) <= 0.1);
+  }
+}

@@ -124,6 +124,70 @@ TEST_CASE(
   CHECK(std::log2(worst_balance[3] / worst_balance[5]) / 2 == doctest::Approx(2).epsilon(0.1));
 }
 
+TEST_CASE(
+    "contact_scenes: a residual flexibility across two points acts at once: V sin(ωt)/((r + s + 1/k)ω), order 2") {
+  // A rigid body that can turn, on a base of flexibility [r s; s r] without inertia. Both points bear the same force,
+  // which takes back 2·1.4² F: ω² = 2·1.4²/(r + s + 1/k).
+  const double r = 2e-8, s = 1e-8, speed = 1.5;
+  ModalModel body{Eigen::VectorXd::Zero(2), Eigen::VectorXd::Zero(2), Eigen::MatrixXd(2, 2),
+                  Eigen::MatrixXd::Zero(2, 2), Eigen::MatrixXd::Zero(2, 2)};
+  body.participation << 1.4, 1.4, 2.0, -2.0;
+  ModalModel base{Eigen::VectorXd::Constant(1, 1e3), Eigen::VectorXd::Zero(1), Eigen::MatrixXd::Zero(1, 2),
+                  Eigen::MatrixXd(2, 2), Eigen::MatrixXd::Zero(2, 2)};
+  base.residual_flexibility << r, s, s, r;
+  for (const bool yields : {false, true}) {
+    const double k = 1e8, flexibility = r + s + (yields ? 1 / k : 0), omega = std::sqrt(2 * 1.4 * 1.4 / flexibility);
+    const ContactLaw law = yields ? ContactLaw::linear(k) : ContactLaw::rigid();
+    for (const HistoryMethod method : {HistoryMethod::modes, HistoryMethod::convolution}) {
+      std::vector<double> error;
+      for (const double step : {8e-6, 4e-6, 2e-6, 1e-6}) {
+        const UniformGrid grid = grid_over(200e-6, step);
+        ContactsProblem problem = problem_of({speed, 0}, {law, law});
+        problem.history = method;
+        const ContactsSolution solution = solve_contacts(std::vector<ContactBody>{body, base}, grid, problem);
+        error.push_back(0);
+        for (const ContactTrace& trace : solution.traces)
+          for (std::size_t n = 0; n < grid.size; ++n) {
+            const double exact = speed / (flexibility * omega) * std::sin(omega * grid.time_s(n));
+            error.back() = std::max(error.back(), std::abs(trace.force_N[n] - exact) * flexibility * omega / speed);
+            // Face to face as the law says, and what the bodies hold is theirs.
+            CHECK(std::abs(trace.displacement_1_m[n] - trace.displacement_2_m[n] - trace.indentation_m[n]) < 1e-13);
+          }
+        CHECK(solution.energy_error < 1e-12);
+      }
+      CHECK(error.back() < 2e-5);
+      CHECK(std::log2(error.front() / error.back()) / 3 == doctest::Approx(2).epsilon(0.05));
+    }
+  }
+  base.residual_flexibility << r, 1.1 * r, 1.1 * r, r;
+  CHECK_THROWS_WITH_AS(static_cast<void>(solve_contacts(std::vector<ContactBody>{body, base}, grid_over(20e-6, 1e-6),
+                                                        rigid_problem({1, 0}, 2))),
+                       doctest::Contains("contacts 1 and 2: 1 N at one moves the other at once by 2.2e-08 m, but at "
+                                         "most √(R11 R22) = 2e-08 m is possible"),
+                       std::invalid_argument);
+}
+
+TEST_CASE(
+    "contact_scenes: a rigid contact that may not close again ends with three steps without force, not with two") {
+  // Two endless rods pressed together by a free velocity that turns round for some samples: steps with the mean of V
+  // and -V bear nothing, as those with -V.
+  const UniformGrid grid = grid_over(60e-6, 1e-6);
+  const Response endless = wave_response(bars::steel_rod(1, FarEnd::infinite), grid);
+  const double speed = 2, force = speed * impedance(bars::steel_rod(1, FarEnd::infinite)) / 2;
+  for (const std::size_t turned : {1u, 2u})
+    for (const Recontact recontact : {Recontact::no, Recontact::yes}) {
+      ContactsProblem problem = rigid_problem({0, 0}, 1);
+      problem.recontact = recontact;
+      problem.free_velocity_first_m_per_s.assign(grid.size, speed);
+      for (std::size_t n = 20; n < 20 + turned; ++n) problem.free_velocity_first_m_per_s[n] = -speed;
+      const ContactTrace trace = solve_contacts({endless, endless}, problem).traces[0];
+      const bool again = turned == 1 || recontact == Recontact::yes;
+      CHECK(trace.force_N[10] == doctest::Approx(force).epsilon(1e-9));
+      CHECK(trace.force_N[50] == doctest::Approx(again ? force : 0).epsilon(1e-9));
+      CHECK(trace.in_contact[50] == again);
+    }
+}
+
 TEST_CASE("contact_scenes: points that a rigid mass ties together are one contact: two rods are one of Z1 + Z2") {
   const UniformGrid grid = grid_over(400e-6, 0.5e-6);
   const Bar thin = bars::steel_rod(1, FarEnd::infinite, 0.01), thick = bars::steel_rod(1, FarEnd::infinite, 0.02);
