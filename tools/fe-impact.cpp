@@ -3,6 +3,7 @@
 #include "lib/cli/run_tool.hpp"
 #include "lib/contract/errors.hpp"
 #include "lib/law/impact_csv.hpp"
+#include "lib/model/plane_face.hpp"
 #include "tools/support/body_file.hpp"
 #include "tools/support/two_outputs.hpp"
 
@@ -23,6 +24,7 @@ struct Request {
   std::string projectile;
   std::string target;
   std::vector<std::string> between;
+  std::optional<PlaneFace> plane_face;
   ExplicitImpact impact;
   std::optional<std::size_t> projectile_elements;
   std::optional<std::size_t> target_elements;
@@ -40,6 +42,9 @@ struct Request {
     command.text("--between", between, "FILE",
                  "body file (TOML) of a body between them, struck at both faces (face = \"A,B\"); repeat in the order "
                  "of the row");
+    command.choice<PlaneFace>("--plane-face", plane_face, {{"1", PlaneFace::first}, {"2", PlaneFace::second}},
+                              "the projectile (1) or the target (2) has one contact, a plane face, which meets every "
+                              "point of the other");
     command.quantity("--speed", impact.speed_m_per_s, "m/s", Sign::positive, "of the projectile towards the target")
         .required();
     command
@@ -78,6 +83,19 @@ struct Request {
   }
 };
 
+/// Has one of two bodies meet every point of the other with its plane face.
+void spread_plane_face(std::vector<DescribedBody>& bodies, PlaneFace which) {
+  if (bodies.size() != 2) throw UsageError("--plane-face", "is for two bodies");
+  DescribedBody& plane = which == PlaneFace::first ? bodies.front() : bodies.back();
+  const std::size_t points = (which == PlaneFace::first ? bodies.back() : bodies.front()).contact_count;
+  if (plane.contact_count != 1)
+    throw UsageError("--plane-face",
+                     fmt::format("a plane face is one contact, but the {} has {}",
+                                 which == PlaneFace::first ? "projectile" : "target", plane.contact_count));
+  plane.contact_count = points;
+  plane.structure = [one = plane.structure, points](const ExplicitMesh& mesh) { return plane_face(one(mesh), points); };
+}
+
 /// The bodies of the row, read in order.
 std::vector<DescribedBody> read_bodies(const Request& request) {
   std::vector<std::string> paths = request.between;
@@ -95,6 +113,7 @@ std::vector<DescribedBody> read_bodies(const Request& request) {
     if (!inner && paths.size() > 2 && count != 1)
       throw InputError(file, 0, 0, "a body at the end of a row has one contact, such as face = \"A\"");
   }
+  if (request.plane_face) spread_plane_face(bodies, *request.plane_face);
   const std::size_t first = bodies.front().contact_count, last = bodies.back().contact_count;
   if (bodies.size() == 2 && first != last)
     throw InputError(request.target == "-" ? "stdin" : request.target, 0, 0,

@@ -1,6 +1,7 @@
 #include "impulse/response/response.hpp"
 
 #include "lib/contract/require.hpp"
+#include "lib/model/plane_face.hpp"
 
 #include <cmath>
 
@@ -9,6 +10,12 @@ namespace impulse {
 Response zero_response(const UniformGrid& grid, std::size_t contact_count) {
   const std::vector<double> zeros(grid.size, 0.0);
   return {grid, contact_count, std::vector<PairResponse>(contact_count * contact_count, {zeros, zeros, zeros})};
+}
+
+Response plane_face(const Response& response, std::size_t points) {
+  require_valid(response);
+  require_plane_face(response.contact_count, response.pairs[0].step_displacement_m_per_N[0], points);
+  return {response.grid, points, std::vector<PairResponse>(points * points, response.pairs[0])};
 }
 
 void require_valid(const Response& response) {

@@ -34,6 +34,10 @@ struct Response {
 /// A response of zeros.
 [[nodiscard]] Response zero_response(const UniformGrid& grid, std::size_t contact_count);
 
+/// The response of a plane face at `points` points, as plane_face.hpp: one contact, the same for every pair.
+/// @throws std::invalid_argument as there; U(0) is the residual flexibility.
+[[nodiscard]] Response plane_face(const Response& response, std::size_t points);
+
 /// @throws std::invalid_argument if sizes disagree or a value is not finite.
 void require_valid(const Response& response);
 

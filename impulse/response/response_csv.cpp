@@ -9,9 +9,13 @@
 namespace impulse {
 namespace {
 
-/// `stem_unit` for one contact, `stem_ij_unit` for several (i, j from 0).
+/// From this many contacts on the two numbers of a pair stand apart, since 111 could be 1, 11 or 11, 1.
+constexpr std::size_t many_contacts = 10;
+
+/// `stem_unit` for one contact, `stem_ij_unit` for several (i, j from 0), `stem_i_j_unit` for ten and more.
 std::string pair_name(const char* stem, const char* unit, std::size_t contacts, std::size_t i, std::size_t j) {
-  return contacts == 1 ? fmt::format("{}_{}", stem, unit) : fmt::format("{}_{}{}_{}", stem, i + 1, j + 1, unit);
+  if (contacts == 1) return fmt::format("{}_{}", stem, unit);
+  return fmt::format("{}_{}{}{}_{}", stem, i + 1, contacts < many_contacts ? "" : "_", j + 1, unit);
 }
 
 struct PairNames {
@@ -24,14 +28,16 @@ PairNames names_of(std::size_t contacts, std::size_t i, std::size_t j) {
           pair_name("step_displacement", "m_per_N", contacts, i, j)};
 }
 
-constexpr std::size_t largest_contact_count = 9;  // one digit a contact
+constexpr std::size_t largest_contact_count = 99;  // that files are searched for
 
 std::string participation_name(std::size_t contacts, std::size_t i) {
   return contacts == 1 ? "participation_per_sqrt_kg" : fmt::format("participation_{}_per_sqrt_kg", i + 1);
 }
 
-std::string constant_name(const char* stem, const char* unit, Eigen::Index i, Eigen::Index j) {
-  return fmt::format("{}_{}{}_{}", stem, i + 1, j + 1, unit);
+/// `stem_ij_unit` for one contact too.
+std::string constant_name(const char* stem, const char* unit, Eigen::Index contacts, Eigen::Index i, Eigen::Index j) {
+  return pair_name(stem, unit, std::max<std::size_t>(2, static_cast<std::size_t>(contacts)),
+                   static_cast<std::size_t>(i), static_cast<std::size_t>(j));
 }
 
 bool has_any(const CsvTable& table, const PairNames& names) {
@@ -40,10 +46,13 @@ bool has_any(const CsvTable& table, const PairNames& names) {
 
 /// The largest number that any pair names, so that a pair that is not there is missed.
 std::size_t contact_count(const CsvTable& table) {
+  const bool many = has_any(table, names_of(many_contacts, 0, 0));
+  const std::size_t style = many ? many_contacts : many_contacts - 1;
+  const std::size_t most = many ? largest_contact_count : many_contacts - 1;
   std::size_t count = 1;
-  for (std::size_t i = 0; i < largest_contact_count; ++i)
-    for (std::size_t j = 0; j < largest_contact_count; ++j)
-      if (has_any(table, names_of(largest_contact_count, i, j))) count = std::max({count, i + 1, j + 1});
+  for (std::size_t i = 0; i < most; ++i)
+    for (std::size_t j = 0; j < most; ++j)
+      if (has_any(table, names_of(style, i, j))) count = std::max({count, i + 1, j + 1});
   return count;
 }
 
@@ -52,8 +61,9 @@ void require_pair(const CsvTable& table, std::size_t contacts, std::size_t i, st
   if (contacts == 1 || has_any(table, names)) return;
   throw InputError(
       table.file(), 1, 0,
-      fmt::format("pair {}{} is missing: no column {} (responses of {} contacts to each other are {} pairs)", i + 1,
-                  j + 1, names.u, contacts, contacts * contacts));
+      fmt::format("pair {}{}{} is missing: no column {} (responses of {} contacts to each other are {} "
+                  "pairs)",
+                  i + 1, contacts < many_contacts ? "" : ",", j + 1, names.u, contacts, contacts * contacts));
 }
 
 /// Columns that hold one number, repeated; zero where there are none.
@@ -62,7 +72,7 @@ Eigen::MatrixXd constants(const CsvTable& table, const char* stem, const char* u
   std::string missing, there;
   for (Eigen::Index i = 0; i < contacts; ++i)
     for (Eigen::Index j = 0; j < contacts; ++j) {
-      const std::string name = constant_name(stem, unit, i, j);
+      const std::string name = constant_name(stem, unit, contacts, i, j);
       (table.has(name) ? there : missing) = name;
       if (!table.has(name)) continue;
       const std::vector<double>& column = table.column(name);
@@ -133,7 +143,7 @@ void write_modes(const std::string& path, const ModalModel& body) {
     if (matrix.isZero(0)) return;
     for (Eigen::Index i = 0; i < contacts; ++i)
       for (Eigen::Index j = 0; j < contacts; ++j) {
-        names.push_back(constant_name(stem, unit, i, j));
+        names.push_back(constant_name(stem, unit, contacts, i, j));
         values.emplace_back(modes, matrix(i, j));
       }
   };

@@ -9,7 +9,8 @@
 namespace impulse {
 
 /// Columns `time_s, impulse_response_per_kg, step_velocity_m_per_Ns, step_displacement_m_per_N`; with several contacts
-/// one set per pair, the pair before the unit: `step_displacement_12_m_per_N`. @throws OutputError.
+/// one set per pair, the pair before the unit: `step_displacement_12_m_per_N`,
+/// and from ten contacts on `step_displacement_3_12_m_per_N`. @throws OutputError.
 void write_response(const std::string& path, const Response& response);
 
 /// Columns `frequency_Hz, damping_ratio, participation_per_sqrt_kg` (several contacts: `participation_1_per_sqrt_kg`,

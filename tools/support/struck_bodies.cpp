@@ -34,6 +34,18 @@ std::size_t contacts_of(const StruckBodies::Body& body) {
   return std::visit([](const auto& seen) { return contact_count(std::cref(seen)); }, body.seen);
 }
 
+/// Has one of two bodies meet every point of the other with its plane face.
+void spread_plane_face(std::vector<StruckBodies::Body>& bodies, PlaneFace which) {
+  if (bodies.size() != 2) throw UsageError("--plane-face", "is for two bodies");
+  StruckBodies::Body& plane = which == PlaneFace::first ? bodies.front() : bodies.back();
+  const std::size_t points = contacts_of(which == PlaneFace::first ? bodies.back() : bodies.front());
+  try {
+    std::visit([points](auto& seen) { seen = plane_face(seen, points); }, plane.seen);
+  } catch (const std::invalid_argument& error) {
+    throw InputError(plane.file, 0, 0, error.what());
+  }
+}
+
 std::string counted(std::size_t contacts) { return fmt::format("{} contact{}", contacts, contacts == 1 ? "" : "s"); }
 
 }  // namespace
@@ -103,6 +115,8 @@ void StruckBodiesRequest::declare(Command& command) {
   command.quantity("--step", step_s_, "s", Sign::positive, "time step, where a RESPONSE holds modes");
   command.quantity("--duration", duration_s_, "s", Sign::positive, "duration, where a RESPONSE holds modes");
   command.flag("--no-dirac", no_dirac_, "the impulse responses are plain functions; H and U may be missing");
+  command.choice<PlaneFace>("--plane-face", plane_face_, {{"1", PlaneFace::first}, {"2", PlaneFace::second}},
+                            "this body has one contact, a plane face, which meets every point of the other");
 }
 
 StruckBodies StruckBodiesRequest::read(const Command& command) const {
@@ -119,6 +133,7 @@ StruckBodies StruckBodiesRequest::read(const Command& command) const {
     bodies.push_back(body_from(table, no_dirac_ ? DiracParts::none : DiracParts::as_columns_say));
   if (mass_1_kg_) bodies.front().mass_kg = mass_1_kg_;
   if (mass_2_kg_) bodies.back().mass_kg = mass_2_kg_;
+  if (plane_face_) spread_plane_face(bodies, *plane_face_);
   if (modal == tables.end()) {
     const UniformGrid grid = sampled(bodies.front())->grid;
     return {std::move(bodies), grid};

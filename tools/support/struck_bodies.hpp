@@ -2,6 +2,7 @@
 
 #include "impulse/contact/bodies_history.hpp"
 #include "lib/cli/command.hpp"
+#include "lib/model/plane_face.hpp"
 
 #include <optional>
 #include <string>
@@ -60,6 +61,7 @@ class StruckBodiesRequest {
   std::optional<double> step_s_;
   std::optional<double> duration_s_;
   bool no_dirac_ = false;
+  std::optional<PlaneFace> plane_face_;
 };
 
 }  // namespace impulse
