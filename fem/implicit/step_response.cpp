@@ -21,7 +21,7 @@ std::vector<std::vector<double>> step_displacements(const Structure& body, const
     MotionState state = MotionState::at_rest(body.contacts.rows());
     const Eigen::VectorXd load = body.contacts.col(static_cast<Eigen::Index>(j));
     Eigen::VectorXd before = nothing;
-    // Integration times lie half a step off the samples, the load there being 0, ¼... of it in the mean of neighbours.
+    // The integration starts half a step before t = 0, so that its times lie half a step off the samples.
     for (std::size_t n = 0; n < grid.size; ++n) {
       const std::size_t count = n == 0 ? 1 : options.substeps;
       for (std::size_t s = 0; s < count; ++s) {

@@ -104,7 +104,9 @@ double hoop_energy(const TriangleNodes& nodes, const std::function<double(double
   return pi * u_r(r, z) * u_r(r, z) / r * area;
 }
 
-TEST_CASE("hoop terms: exact with a side on the axis, within 0.3 % at a corner on it, to 1e-6 away from it") {
+TEST_CASE(
+    "hoop terms: exact with a side on the axis, within 0.3 % at a corner on it, to 1e-4 (the oracle's own) away from "
+    "it") {
   // A material that resists hoop strain only, so that K holds nothing but the 1/r terms.
   AxisymmetricElasticity hoop;
   hoop.stiffness.setZero();

@@ -125,6 +125,18 @@ TEST_CASE("modal_model: modes are M-orthonormal, rigid-body ones included") {
   }
 }
 
+TEST_CASE("modal_model: shapes that are kept are the modes: K u = w² M u, and their parts in the contacts") {
+  const Structure body = irregular_chain(300);
+  for (const Route route : {Route::dense, Route::arpack}) {
+    const ModalModel model = modal_model(body, {.mode_count = 5, .route = route, .shapes = ModalOptions::Shapes::kept});
+    REQUIRE(model.shapes.cols() == 5);
+    const Eigen::MatrixXd inertia = body.mass * model.shapes * model.angular_frequency.cwiseAbs2().asDiagonal();
+    CHECK((body.stiffness * model.shapes - inertia).norm() <= 1e-9 * inertia.norm());
+    CHECK((model.shapes.transpose() * body.contacts - model.participation).norm() == 0);
+  }
+  CHECK(modal_model(body, {.mode_count = 5}).shapes.size() == 0);
+}
+
 TEST_CASE("modal_model: a free beam has two rigid-body modes, whatever its size and division") {
   for (const double length : {1e-3, 1.0, 6.0})
     for (const Eigen::Index elements : {4, 40, 400}) {
