@@ -1,9 +1,9 @@
 #include "impulse/measured/response_estimate.hpp"
-#include "lib/cli/quantity.hpp"
 #include "lib/cli/run_tool.hpp"
 #include "lib/contract/errors.hpp"
 #include "lib/csv/csv_output.hpp"
 #include "tools/support/blow_record.hpp"
+#include "tools/support/regularisation_option.hpp"
 
 #include <fmt/format.h>
 
@@ -13,34 +13,13 @@ namespace {
 
 using namespace impulse;
 
-Regularisation parse_regularisation(const std::string& text) {
-  using Rule = Regularisation::Rule;
-  if (text == "gcv") return {Rule::cross_validation, 0};
-  if (text == "l-curve") return {Rule::l_curve, 0};
-  if (text == "none") return {Rule::none, 0};
-  const double value = parse_quantity(text, "1");
-  if (!(value > 0)) throw std::invalid_argument(fmt::format("{} is neither gcv, l-curve, none nor positive", text));
-  return {Rule::value, value};
-}
-
-std::string rule_name(Regularisation::Rule rule) {
-  switch (rule) {
-    case Regularisation::Rule::cross_validation:
-      return " (gcv)";
-    case Regularisation::Rule::l_curve:
-      return " (l-curve)";
-    default:
-      return "";
-  }
-}
-
 struct Request {
   std::vector<std::string> files;
   BlowRecords records;
   EstimateOptions options;
   std::optional<std::string> frequency_response;
   bool members = false;
-  bool quiet_report = false;
+  bool quiet = false;
   std::string output;
 
   void declare(Command& command) {
@@ -52,10 +31,7 @@ struct Request {
                                        {"h2", ResponseEstimator::h2},
                                        {"hv", ResponseEstimator::hv}},
                                       "causal least squares in time, or an average of spectra");
-    command.parsed<Regularisation>(
-        "--regularisation", options.regularisation, parse_regularisation, "gcv|l-curve|none|NUMBER",
-        "how much of the noise is held back: by generalised cross-validation (default), by the corner of the L-curve, "
-        "not at all, or as a fraction of the blows' largest power");
+    declare_regularisation(command, options.regularisation);
     command.quantity("--trigger", options.blow.trigger, "1", Sign::positive,
                      "fraction of the peak force at which a pulse begins and ends");
     command.quantity("--second-hit", options.blow.second_hit, "1", Sign::positive,
@@ -79,7 +55,7 @@ struct Request {
     command.text("--frequency-response", frequency_response, "FILE",
                  "write frequency_Hz, the mobility H1 and the coherence to FILE");
     command.flag("--members", members, "write the deviation of every blow too, from which errors can be drawn");
-    command.flag("--silent", quiet_report, "do not report on stderr what was chosen");
+    command.flag("--quiet", quiet, "do not report on stderr what was chosen");
     command.output(output);
   }
 };
@@ -87,7 +63,7 @@ struct Request {
 void report(const Request& request, const ResponseEstimate& estimate) {
   for (const LeftOut& blow : estimate.left_out)
     fmt::print(stderr, "ir-estimate: {} is left out: {}\n", blow.name, description(blow.fault));
-  if (request.quiet_report) return;
+  if (request.quiet) return;
   fmt::print(stderr, "ir-estimate: blows {}; degrees of freedom {}; regularisation {:.3g}{}; force window {:.4g} s\n",
              estimate.blow_count, estimate.measured.degrees_of_freedom, estimate.regularisation,
              rule_name(request.options.regularisation.rule), estimate.force_window_s);

@@ -3,6 +3,7 @@
 #include "lib/contract/errors.hpp"
 #include "lib/law/impact_csv.hpp"
 #include "tools/support/contacts_request.hpp"
+#include "tools/support/draw_request.hpp"
 #include "tools/support/struck_bodies.hpp"
 
 #include <fmt/format.h>
@@ -36,6 +37,7 @@ struct Request {
   double speed_m_per_s = 0;
   Method method = Method::product;
   ContactsRequest contacts;
+  DrawRequest draws;
   bool summary = false;
   std::string output;
 
@@ -51,6 +53,7 @@ struct Request {
          {"online", Method::online}},
         "how the contact equation is solved; laws, re-contact and more than one contact are always marched online");
     contacts.declare(command);
+    draws.declare(command);
     command.flag("--summary", summary, "write one row about the impact instead of its history");
     command.output(output);
   }
@@ -69,13 +72,49 @@ void run_first_contact(const Request& request, const StruckBodies& bodies) {
     write_history(request.output, history);
 }
 
+ForceOutcome outcome_of(const ImpactSummary& line, std::vector<double> force_N) {
+  return {std::move(force_N), line.peak_force_N, line.contact_duration_s, line.impulse_Ns};
+}
+
+void run_draws(const Request& request, const StruckBodies& bodies, bool marched) {
+  const double speed = request.speed_m_per_s;
+  if (!marched) {
+    request.draws.run(
+        bodies,
+        [&](const StruckBodies& drawn) {
+          ImpactHistory history =
+              solve_contact(drawn.response(0), drawn.response(1), {speed}, contact_method(request.method));
+          const ImpactSummary line = summary(history, speed, std::nullopt);
+          return outcome_of(line, std::move(history.force_N));
+        },
+        request.summary, request.output);
+    return;
+  }
+  const ContactsProblem problem = request.contacts.problem(bodies, speed);
+  request.draws.run(
+      bodies,
+      [&](const StruckBodies& drawn) {
+        ContactsSolution solution = solve_contacts(drawn.contact_bodies(), drawn.grid(), problem);
+        const ImpactSummary line = contacts_summary(solution.traces, drawn.grid(), {.speed_1_m_per_s = speed}).impact;
+        return outcome_of(line, std::move(solution.traces.front().force_N));
+      },
+      request.summary, request.output);
+}
+
 int run(const Request& request, const Command& command) {
+  request.draws.require_consistent(command);
   const StruckBodies bodies = request.bodies.read(command);
   const bool marched = bodies.joint_count() > 1 || request.method == Method::online || request.contacts.asked(command);
   if (marched && command.given("--method") && request.method != Method::online)
     throw UsageError("--method",
                      "solves one rigid contact up to its first separation; use --method online for laws, gaps, "
                      "re-contact and several contacts");
+  if (!marched && command.given("--history"))
+    throw UsageError("--history", "is for contacts that are marched (--method online)");
+  if (request.draws.asked()) {
+    run_draws(request, bodies, marched);
+    return 0;
+  }
   if (marched) {
     request.contacts.run(bodies, request.speed_m_per_s, request.summary, request.output);
     return 0;
@@ -83,7 +122,6 @@ int run(const Request& request, const Command& command) {
   if (command.given("--mass-1") && !request.summary)
     throw UsageError("--mass-1", "is for --summary, or for the energies that --method online reports");
   if (command.given("--mass-2")) throw UsageError("--mass-2", "is for the restitution, which --method online reports");
-  if (command.given("--history")) throw UsageError("--history", "is for contacts that are marched (--method online)");
   run_first_contact(request, bodies);
   return 0;
 }
@@ -91,25 +129,28 @@ int run(const Request& request, const Command& command) {
 }  // namespace
 
 int main(int argc, char** argv) {
-  Command command({"ir-impact", "impact force of two bodies from their impulse responses",
-                   "Solves V = (G1 + G2)*F while the faces stick, until the force stops being positive; it is zero "
-                   "from there on. Methods: product "
-                   "(kernel integrated exactly, marching), series (the same by division of power series), fourier (the "
-                   "same on a shifted contour), "
-                   "trapezoidal (on the sampled impulse response; for modal responses with modes up to the Nyquist "
-                   "frequency). Order 2 in the step, jumps "
-                   "apart. Columns: time_s,force_N,velocity_1_m_per_s,velocity_2_m_per_s. With a contact law, a gap, a "
-                   "preload, re-contact, a row of bodies or several points of "
-                   "contact the forces are marched (online), conserving energy; then also indentation_m (minus the gap "
-                   "where open), running_impulse_Ns, in_contact, the "
-                   "faces' displacements, the contact's stored and dissipated energy the work received by each "
-                   "body, energy_balance_J (the sum of these energies) and, of a free body whose mass is known, "
-                   "translational_energy_1_J = p^2/2m. Several contacts number their columns: force_1_N; "
-                   "velocity_12_m_per_s is that of side 2 of contact 1.",
-                   "ir-cone --length 400mm --diameters 30mm,75mm --material nylon-6 --face A --step 1us --duration 1ms "
-                   "-o cone.csv\n"
-                   "ir-bar --segment 6150mm,10mm,steel --face A --step 1us --duration 1ms -o rod.csv\n"
-                   "ir-impact --speed 1.16m/s --summary cone.csv rod.csv"});
+  Command command(
+      {"ir-impact", "impact force of two bodies from their impulse responses",
+       "Solves V = (G1 + G2)*F while the faces stick, until the force stops being positive; it is zero "
+       "from there on. Methods: product "
+       "(kernel integrated exactly, marching), series (the same by division of power series), fourier (the "
+       "same on a shifted contour), "
+       "trapezoidal (on the sampled impulse response; for modal responses with modes up to the Nyquist "
+       "frequency). Order 2 in the step, jumps "
+       "apart. Columns: time_s,force_N,velocity_1_m_per_s,velocity_2_m_per_s. With a contact law, a gap, a "
+       "preload, re-contact, a row of bodies or several points of "
+       "contact the forces are marched (online), conserving energy; then also indentation_m (minus the gap "
+       "where open), running_impulse_Ns, in_contact, the "
+       "faces' displacements, the contact's stored and dissipated energy the work received by each "
+       "body, energy_balance_J (the sum of these energies) and, of a free body whose mass is known, "
+       "translational_energy_1_J = p^2/2m. Several contacts number their columns: force_1_N; "
+       "velocity_12_m_per_s is that of side 2 of contact 1. Where a response has an uncertainty (ir-estimate "
+       "--members; or columns ..._std_... alone, taken as one number's error), --draws carries it to the "
+       "force by Monte Carlo.",
+       "ir-cone --length 400mm --diameters 30mm,75mm --material nylon-6 --face A --step 1us --duration 1ms "
+       "-o cone.csv\n"
+       "ir-bar --segment 6150mm,10mm,steel --face A --step 1us --duration 1ms -o rod.csv\n"
+       "ir-impact --speed 1.16m/s --summary cone.csv rod.csv"});
   Request request;
   request.declare(command);
   return run_tool(argc, argv, command, [&] { return run(request, command); });

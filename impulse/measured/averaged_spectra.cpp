@@ -43,21 +43,22 @@ double multiplicity(std::size_t k, std::size_t transform_size) { return k == 0 |
 
 struct Fit {
   double residual = 0;            ///< Σ|V - X F|²
-  double norm = 0;                ///< Σ|X|²
-  double degrees_of_freedom = 0;  ///< Σ S_ff/(S_ff + λ)
+  double norm = 0;                ///< Σ penalty |X|²
+  double degrees_of_freedom = 0;  ///< Σ S_ff/(S_ff + λ·penalty)
 };
 
-Fit fit(const AveragedSpectra& spectra, double lambda) {
+Fit fit(const AveragedSpectra& spectra, double lambda, Penalty penalty) {
   Fit sum;
   for (std::size_t k = 0; k < spectra.cross.size(); ++k) {
     const double power = spectra.input_power[k];
     if (!(power > 0)) continue;
     const double weight = multiplicity(k, spectra.transform_size);
-    const double kept = power / (power + lambda);
+    const double held = penalty_at(penalty, k, spectra.transform_size);
+    const double kept = power / (power + lambda * held);
     const double cross = std::norm(spectra.cross[k]);
     // With X = S_fv/(S_ff + λ): S_vv - |S_fv|²/S_ff (1 - (1 - kept)²); the rest of S_vv is not to be had at any λ.
     sum.residual += weight * (spectra.output_power[k] - cross / power * kept * (2 - kept));
-    sum.norm += weight * cross / ((power + lambda) * (power + lambda));
+    sum.norm += weight * held * cross * kept * kept / (power * power);
     sum.degrees_of_freedom += weight * kept;
   }
   return sum;
@@ -102,11 +103,11 @@ AveragedSpectra averaged_spectra(std::span<const InputOutput> records) {
   return spectra;
 }
 
-double cross_validated_regularisation(const AveragedSpectra& spectra) {
+double cross_validated_regularisation(const AveragedSpectra& spectra, Penalty penalty) {
   const double largest = spectra.largest_input_power();
   const auto samples = static_cast<double>(spectra.record_count * spectra.transform_size);
   const auto score = [&](double log_relative) {
-    const Fit at = fit(spectra, std::exp(log_relative) * largest);
+    const Fit at = fit(spectra, std::exp(log_relative) * largest, penalty);
     return at.residual / std::pow(samples - at.degrees_of_freedom, 2);
   };
   int best = 0;
@@ -129,12 +130,12 @@ double cross_validated_regularisation(const AveragedSpectra& spectra) {
   return std::exp((low + high) / 2);
 }
 
-double l_curve_regularisation(const AveragedSpectra& spectra) {
+double l_curve_regularisation(const AveragedSpectra& spectra, Penalty penalty) {
   const double largest = spectra.largest_input_power();
   std::vector<double> x(scan_points);
   std::vector<double> y(scan_points);
   for (int k = 0; k < scan_points; ++k) {
-    const Fit at = fit(spectra, scanned(k) * largest);
+    const Fit at = fit(spectra, scanned(k) * largest, penalty);
     x[static_cast<std::size_t>(k)] = std::log(at.residual);
     y[static_cast<std::size_t>(k)] = std::log(at.norm);
   }

@@ -30,15 +30,15 @@ struct AveragedSpectra {
 /// @throws std::invalid_argument for no or unequal records. Verified by: tests/impulse/averaged_spectra.test.cpp
 [[nodiscard]] AveragedSpectra averaged_spectra(std::span<const InputOutput> records);
 
-/// λ (over the largest input power) of Tikhonov's regularisation X = S_fv/(S_ff + λ) that predicts best in generalised
-/// cross-validation: least RSS(λ)/(n - Σ S_ff/(S_ff + λ))², n the number of samples, by a scan of 1e-12 .. 1 and a
-/// refinement by golden section. Residuals and degrees of freedom per frequency, hence in one pass.
+/// λ (over the largest input power) of Tikhonov's regularisation X = S_fv/(S_ff + λ·penalty) that predicts best in
+/// generalised cross-validation: least RSS(λ)/(n - Σ S_ff/(S_ff + λ·penalty))², n the number of samples, by a scan of
+/// 1e-12 .. 1 and a refinement by golden section. Residuals and degrees of freedom per frequency, hence in one pass.
 /// For noise that is white over the record. Verified by: tests/impulse/averaged_spectra.test.cpp
-[[nodiscard]] double cross_validated_regularisation(const AveragedSpectra& spectra);
+[[nodiscard]] double cross_validated_regularisation(const AveragedSpectra& spectra, Penalty penalty = Penalty::size);
 
 /// λ at the corner (largest curvature) of log ‖residual‖² against log ‖x‖², over the same range.
 /// Verified by: tests/impulse/averaged_spectra.test.cpp
-[[nodiscard]] double l_curve_regularisation(const AveragedSpectra& spectra);
+[[nodiscard]] double l_curve_regularisation(const AveragedSpectra& spectra, Penalty penalty = Penalty::size);
 
 /// Estimators of X = V/F over several records.
 enum class SpectralEstimator {

@@ -11,6 +11,7 @@
 #include <algorithm>
 #include <cmath>
 #include <future>
+#include <numbers>
 #include <numeric>
 
 namespace impulse {
@@ -67,11 +68,17 @@ void require_alike(std::span<const InputOutput> records) {
             "records of {} and {} samples cannot be averaged; cut them to one length", size, record.output.size());
 }
 
+double penalty_at(Penalty penalty, std::size_t k, std::size_t transform_size) {
+  if (penalty == Penalty::size) return 1;
+  const double sine = std::sin(std::numbers::pi * static_cast<double>(k) / static_cast<double>(transform_size));
+  return 4 * sine * sine;
+}
+
 EstimatedKernel least_squares_kernel(std::span<const InputOutput> records, const KernelOptions& options) {
   require_alike(records);
   require(options.regularisation > 0, "regularisation {} is not positive; divide records without noise instead",
           options.regularisation);
-  NormalEquations equations(records, options.regularisation);
+  NormalEquations equations(records, options.regularisation, options.penalty);
   std::vector<double> right(equations.size());
   for (const InputOutput& record : records) {
     const std::vector<double> score = equations.score(record, {});

@@ -21,8 +21,18 @@ struct LinearConstraint {
   double value = 0;
 };
 
+/// What of the kernel λ holds down.
+enum class Penalty {
+  size,   ///< Σ x_j²
+  slope,  ///< Σ (x_j - x_(j-1))², x zero before and after: for kernels that are smooth, as forces are
+};
+
+/// |1 - e^(-iω)|² or 1 at frequency k of a transform.
+[[nodiscard]] double penalty_at(Penalty penalty, std::size_t k, std::size_t transform_size);
+
 struct KernelOptions {
   double regularisation = 0;  ///< λ over the largest power of the inputs, > 0
+  Penalty penalty = Penalty::size;
   const LinearConstraint* constraint = nullptr;
   double tolerance = 1e-6;  ///< of the normal equations' residual, relative, > 0; what is left is at the record's end
   std::size_t most_iterations = 2000;
@@ -37,7 +47,7 @@ struct EstimatedKernel {
 
 /// The causal kernel x_0 .. x_(N-1) that explains all records best: with (f_b, v_b) record b of N samples,
 ///
-///   minimise  Σ_b Σ_n (v_b,n - Σ_(j≤n) x_j f_b,n-j)² + λ Σ_j x_j²,
+///   minimise  Σ_b Σ_n (v_b,n - Σ_(j≤n) x_j f_b,n-j)² + λ · penalty(x),
 ///
 /// λ = regularisation · max_ω Σ_b |F_b(ω)|². Nothing is assumed about either signal outside its record.
 /// The normal equations (Σ_b T_bᵀT_b + λ) x = Σ_b T_bᵀv_b are Toeplitz but for a corner as wide as the inputs' support

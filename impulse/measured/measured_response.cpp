@@ -33,6 +33,11 @@ MeasuredResponse measured_response(const EstimatedKernel& kernel, const UniformG
   MeasuredResponse measured{{grid, 1, {response_of_kernel(kernel.values, grid)}}, {}, kernel.degrees_of_freedom};
   for (const std::vector<double>& deviation : kernel.deviations)
     measured.deviations.push_back(response_of_kernel(deviation, grid));
+  const bool jumps = measured.response.pairs.front().step_velocity_m_per_Ns[0] > 0.5 * kernel.values[0];
+  if (!jumps) {
+    measured.response.pairs.front().step_velocity_m_per_Ns[0] = 0;
+    for (PairResponse& deviation : measured.deviations) deviation.step_velocity_m_per_Ns[0] = 0;
+  }
   return measured;
 }
 

@@ -32,6 +32,8 @@ struct MeasuredResponse {
 /// @throws std::invalid_argument unless the grid has at least 2 samples and at most as many as the kernel.
 /// Verified by: tests/impulse/measured_response.test.cpp
 [[nodiscard]] PairResponse response_of_kernel(const std::vector<double>& kernel, const UniformGrid& grid);
+/// The same of an estimate with its deviations; H_0 is 0 unless it is more than half of h_0, as where a wave front
+/// makes velocity jump: a small H(0+) left by noise would make the first force of a rigid contact, V/H(0+), anything.
 [[nodiscard]] MeasuredResponse measured_response(const EstimatedKernel& kernel, const UniformGrid& grid);
 
 /// Σ_k a_k w_k/Δt = 1/m with the weights a of a Hann window over `size` samples: the rigid-body part of G. A mode of

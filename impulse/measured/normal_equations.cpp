@@ -30,7 +30,7 @@ double dot(const std::vector<double>& a, const std::vector<double>& b) {
 
 }  // namespace
 
-NormalEquations::NormalEquations(std::span<const InputOutput> records, double regularisation)
+NormalEquations::NormalEquations(std::span<const InputOutput> records, double regularisation, Penalty penalty)
     : size_(records.front().input.size()),
       support_(support(records)),
       fft_(fast_transform_size(2 * size_)),
@@ -50,7 +50,8 @@ NormalEquations::NormalEquations(std::span<const InputOutput> records, double re
     corner_spectra_.emplace_back(corner_fft_.spectrum_size());
     corner_fft_.forward(corner_time_, corner_spectra_.back());
   }
-  lambda_ = regularisation * *std::ranges::max_element(power_);
+  const double lambda = regularisation * *std::ranges::max_element(power_);
+  for (std::size_t k = 0; k < power_.size(); ++k) power_[k] += lambda * penalty_at(penalty, k, fft_.size());
   factorise();
 }
 
@@ -83,7 +84,7 @@ void NormalEquations::apply(const std::vector<double>& x, std::vector<double>& y
   fft_.forward(time_, spectrum_);
   for (std::size_t k = 0; k < spectrum_.size(); ++k) spectrum_[k] *= power_[k];
   fft_.inverse(spectrum_, time_);
-  for (std::size_t n = 0; n < size_; ++n) y[n] = time_[n] + lambda_ * x[n];
+  for (std::size_t n = 0; n < size_; ++n) y[n] = time_[n];
   subtract_corner(x, y);
 }
 
@@ -105,8 +106,8 @@ void NormalEquations::subtract_corner(const std::vector<double>& x, std::vector<
   }
 }
 
-// With a the minimum-phase factor, |a|² = Σ|F|² + λ, T_aᵀT_a is A but for the end corner: its inverse is a convolution
-// with 1/a after a correlation with it.
+// With a the minimum-phase factor, |a|² = Σ|F|² + λ·penalty, T_aᵀT_a is A but for the end corner: its inverse is a
+// convolution with 1/a after a correlation with it.
 void NormalEquations::precondition(const std::vector<double>& x, std::vector<double>& y) {
   load(x);
   fft_.forward(time_, spectrum_);
@@ -121,7 +122,7 @@ void NormalEquations::precondition(const std::vector<double>& x, std::vector<dou
 
 // log a is the causal half of log |a|² (Kolmogorov): its transform's positive times, half of time 0.
 void NormalEquations::factorise() {
-  for (std::size_t k = 0; k < power_.size(); ++k) spectrum_[k] = std::log(power_[k] + lambda_);
+  for (std::size_t k = 0; k < power_.size(); ++k) spectrum_[k] = std::log(power_[k]);
   fft_.inverse(spectrum_, time_);
   const std::size_t half = fft_.size() / 2;
   time_[0] /= 2;

@@ -8,12 +8,12 @@
 
 namespace impulse {
 
-/// A = Σ_b T_bᵀT_b + λ, T_b the N×N lower-triangular Toeplitz matrix of record b's input: see least_squares_kernel.hpp.
-/// One for a thread, since it holds the buffers of its transforms.
+/// A = Σ_b T_bᵀT_b + λ D, D the matrix of the penalty, T_b the N×N lower-triangular Toeplitz matrix of record b's
+/// input: see least_squares_kernel.hpp. One for a thread, since it holds the buffers of its transforms.
 class NormalEquations {
  public:
   /// λ = regularisation × the largest power of the inputs.
-  NormalEquations(std::span<const InputOutput> records, double regularisation);
+  NormalEquations(std::span<const InputOutput> records, double regularisation, Penalty penalty);
 
   [[nodiscard]] std::size_t size() const { return size_; }
 
@@ -36,10 +36,9 @@ class NormalEquations {
 
   std::size_t size_;
   std::size_t support_;
-  double lambda_ = 0;
   RealFft fft_;
   RealFft corner_fft_;
-  std::vector<double> power_;                  ///< Σ|F_b|², at the frequencies of fft_
+  std::vector<double> power_;                  ///< Σ|F_b|² + λ·penalty, at the frequencies of fft_
   std::vector<ComplexBuffer> corner_spectra_;  ///< F_b at those of corner_fft_
   ComplexBuffer inverse_factor_;               ///< 1/a
   RealBuffer time_, corner_time_;

@@ -6,6 +6,7 @@
 #include <fftw3.h>
 
 #include <algorithm>
+#include <mutex>
 #include <new>
 
 namespace impulse {
@@ -25,6 +26,12 @@ template struct FftAllocator<std::complex<double>>;
 
 namespace {
 
+/// FFTW executes plans from several threads, but makes and destroys them from one at a time.
+std::mutex& planner() {
+  static std::mutex mutex;
+  return mutex;
+}
+
 fftw_complex* fftw_pointer(std::complex<double>* data) { return reinterpret_cast<fftw_complex*>(data); }
 
 }  // namespace
@@ -37,6 +44,7 @@ struct RealFft::Plans {
     RealBuffer time(size);
     ComplexBuffer spectrum(size / 2 + 1);
     const int n = static_cast<int>(size);
+    const std::lock_guard lock(planner());
     forward = fftw_plan_dft_r2c_1d(n, time.data(), fftw_pointer(spectrum.data()), flags);
     inverse = fftw_plan_dft_c2r_1d(n, fftw_pointer(spectrum.data()), time.data(), flags);
     if (forward == nullptr || inverse == nullptr) {
@@ -44,7 +52,10 @@ struct RealFft::Plans {
       throw std::runtime_error(fmt::format("FFTW has no plan for a real transform of length {}", size));
     }
   }
-  ~Plans() { destroy(); }
+  ~Plans() {
+    const std::lock_guard lock(planner());
+    destroy();
+  }
   Plans(const Plans&) = delete;
   Plans& operator=(const Plans&) = delete;
 

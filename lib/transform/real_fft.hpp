@@ -31,6 +31,7 @@ using ComplexBuffer = std::vector<std::complex<double>, FftAllocator<std::comple
 ///
 /// (the inverse divides by n and sums the Hermitian continuation of X, so that it undoes the forward transform).
 /// `estimate` plans in microseconds, `measure` by trial, for sizes that are used again and again.
+/// Objects may be made and used by several threads, one object by one thread or by several with buffers of their own.
 /// Verified by: tests/lib/real_fft.test.cpp
 class RealFft {
  public:

@@ -26,8 +26,10 @@ class ContactsRequest {
   /// long work.
   void run(const StruckBodies& bodies, double speed_m_per_s, bool summary, const std::string& output) const;
 
- private:
+  /// What is asked; reads the files of --law and --free-velocity.
   [[nodiscard]] ContactsProblem problem(const StruckBodies& bodies, double speed_m_per_s) const;
+
+ private:
   [[nodiscard]] std::vector<BodyEnergy> energies(const StruckBodies& bodies, double speed_m_per_s,
                                                  const std::vector<ContactTrace>& traces) const;
 

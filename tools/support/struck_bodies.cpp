@@ -1,5 +1,6 @@
 #include "tools/support/struck_bodies.hpp"
 
+#include "impulse/measured/force_band.hpp"
 #include "impulse/response/modal_response.hpp"
 #include "impulse/response/response_csv.hpp"
 #include "lib/contract/errors.hpp"
@@ -22,7 +23,11 @@ std::optional<double> free_mass(const ModalModel& modes) {
 }
 
 StruckBodies::Body body_from(const CsvTable& table, DiracParts dirac) {
-  if (!holds_modes(table)) return {table.file(), response_from(table, dirac), std::nullopt};
+  if (!holds_modes(table)) {
+    MeasuredResponse measured = measured_response_from(table, response_from(table, dirac));
+    return {table.file(), std::move(measured.response), std::nullopt, std::move(measured.deviations),
+            measured.degrees_of_freedom};
+  }
   ModalModel modes = modes_from(table);
   const std::optional<double> mass = free_mass(modes);
   return {table.file(), std::move(modes), mass};
@@ -91,6 +96,18 @@ void StruckBodies::require_contacts_that_fit() const {
 
 bool StruckBodies::any_modal() const {
   return std::ranges::any_of(bodies_, [](const Body& body) { return sampled(body) == nullptr; });
+}
+
+bool StruckBodies::uncertain() const {
+  return std::ranges::any_of(bodies_, [](const Body& body) { return !body.deviations.empty(); });
+}
+
+StruckBodies StruckBodies::drawn(std::mt19937_64& engine) const {
+  std::vector<Body> bodies = bodies_;
+  for (Body& body : bodies)
+    if (!body.deviations.empty())
+      body.seen = drawn_response({std::get<Response>(body.seen), body.deviations, body.degrees_of_freedom}, engine);
+  return {std::move(bodies), grid_};
 }
 
 Response StruckBodies::response(std::size_t body) const {

@@ -5,6 +5,7 @@
 #include "lib/model/plane_face.hpp"
 
 #include <optional>
+#include <random>
 #include <string>
 #include <variant>
 #include <vector>
@@ -18,6 +19,8 @@ class StruckBodies {
     std::string file;
     std::variant<Response, ModalModel> seen;
     std::optional<double> mass_kg;
+    std::vector<PairResponse> deviations = {};  ///< of a measured response, see measured_response.hpp
+    std::size_t degrees_of_freedom = 0;
   };
 
   /// @throws InputError naming the files if grids or contacts disagree.
@@ -27,6 +30,10 @@ class StruckBodies {
   [[nodiscard]] std::size_t joint_count() const { return joints_.size(); }
   [[nodiscard]] const UniformGrid& grid() const { return grid_; }
   [[nodiscard]] bool any_modal() const;
+
+  /// Whether any body is known with an uncertainty; and the bodies as one draw from it has them.
+  [[nodiscard]] bool uncertain() const;
+  [[nodiscard]] StruckBodies drawn(std::mt19937_64& engine) const;
 
   /// Mass of the first and of the last body, where known.
   [[nodiscard]] std::optional<double> mass_1_kg() const { return bodies_.front().mass_kg; }
