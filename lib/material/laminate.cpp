@@ -64,10 +64,6 @@ Laminate laminate(const std::vector<Layer>& layers) {
     require(std::isfinite(layer.angle_deg), "a layer has the angle {}", layer.angle_deg);
     result.thickness_m += layer.thickness_m;
   }
-  result.extension.setZero();
-  result.coupling.setZero();
-  result.bending.setZero();
-  result.transverse_shear.setZero();
   double bottom = -result.thickness_m / 2;
   for (const Layer& layer : layers) {
     const double t = layer.thickness_m, middle = bottom + t / 2, second = t * (middle * middle + t * t / 12);

@@ -22,17 +22,17 @@ struct Layer {
 ///   S = ∫ [Q̄44 Q̄45; Q̄45 Q̄55] dz         order yz, xz; without a shear correction factor
 ///   I = ∫ ρ (1, z, z²) dz
 ///
-/// with engineering shear strains, Q̄ the plane-stress stiffness of each ply turned to x, y. Layers count from z = -h/2. What is
-/// rounding of zero (the coupling of a symmetric layup) is exactly zero.
+/// with engineering shear strains, Q̄ the plane-stress stiffness of each ply turned to x, y. Layers count from z = -h/2.
+/// What is rounding of zero (the coupling of a symmetric layup) is exactly zero.
 struct Laminate {
   double thickness_m = 0;
-  Eigen::Matrix3d extension;         ///< A [N/m]
-  Eigen::Matrix3d coupling;          ///< B [N]
-  Eigen::Matrix3d bending;           ///< D [N m]
-  Eigen::Matrix2d transverse_shear;  ///< S [N/m]
-  double mass_kg_per_m2 = 0;         ///< I₀
-  double mass_moment_kg_per_m = 0;   ///< I₁
-  double rotary_inertia_kg = 0;      ///< I₂
+  Eigen::Matrix3d extension = Eigen::Matrix3d::Zero();         ///< A [N/m]
+  Eigen::Matrix3d coupling = Eigen::Matrix3d::Zero();          ///< B [N]
+  Eigen::Matrix3d bending = Eigen::Matrix3d::Zero();           ///< D [N m]
+  Eigen::Matrix2d transverse_shear = Eigen::Matrix2d::Zero();  ///< S [N/m]
+  double mass_kg_per_m2 = 0;                                   ///< I₀
+  double mass_moment_kg_per_m = 0;                             ///< I₁
+  double rotary_inertia_kg = 0;                                ///< I₂
 };
 
 /// @throws std::invalid_argument if there is no layer, or for a ply or a thickness that is not valid.

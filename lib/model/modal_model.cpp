@@ -30,22 +30,42 @@ bool is_banded(const Sparse& a, Eigen::Index width) {
   return true;
 }
 
-void require_symmetric(const Sparse& a, const char* name) {
-  require(is_finite(a), "the {} matrix has an element that is not finite", name);
-  const Sparse difference = a - Sparse(a.transpose());
-  require(difference.norm() <= 1e-10 * a.norm(),
-          "the {} matrix is not symmetric (by {} of its norm); store both triangles", name,
-          difference.norm() / a.norm());
+bool is_finite(const Eigen::MatrixXd& a) { return a.allFinite(); }
+
+double asymmetry(const Sparse& a) { return (a - Sparse(a.transpose())).norm(); }
+
+/// By blocks, or a large matrix is read across its columns.
+double asymmetry(const Eigen::MatrixXd& a) {
+  constexpr Eigen::Index side = 64;
+  double sum = 0;
+  for (Eigen::Index j = 0; j < a.cols(); j += side)
+    for (Eigen::Index i = j; i < a.rows(); i += side) {
+      const Eigen::Index r = std::min(side, a.rows() - i), c = std::min(side, a.cols() - j);
+      sum += (a.block(i, j, r, c) - a.block(j, i, c, r).transpose()).squaredNorm();
+    }
+  return std::sqrt(2 * sum);
 }
 
-void require_structure(const Structure& body) {
-  const Sparse& k = body.stiffness;
-  const Sparse& m = body.mass;
+template <class Matrix>
+void require_symmetric(const Matrix& a, const char* name) {
+  require(is_finite(a), "the {} matrix has an element that is not finite", name);
+  const double norm = a.norm(), difference = asymmetry(a);
+  require(difference <= 1e-10 * norm, "the {} matrix is not symmetric (by {} of its norm); store both triangles", name,
+          difference / norm);
+}
+
+template <class Matrix>
+void require_structure(const BasicStructure<Matrix>& body) {
+  const Matrix& k = body.stiffness;
+  const Matrix& m = body.mass;
   const Eigen::Index n = k.rows(), p = body.contacts.cols();
   require(n > 0 && k.cols() == n && m.rows() == n && m.cols() == n,
           "stiffness {} x {} and mass {} x {} are not square of the same size", k.rows(), k.cols(), m.rows(), m.cols());
   require(body.contacts.rows() == n, "contacts have {} rows for {} degrees of freedom", body.contacts.rows(), n);
   require(body.contacts.allFinite(), "a contact has an element that is not finite");
+  require(body.outputs.size() == 0 || (body.outputs.rows() == n && body.outputs.allFinite()),
+          "outputs {} x {} do not fit {} degrees of freedom, or are not finite", body.outputs.rows(),
+          body.outputs.cols(), n);
   require(body.wave_admittance.size() == 0 || (body.wave_admittance.rows() == p && body.wave_admittance.cols() == p),
           "wave admittance {} x {} for {} contacts", body.wave_admittance.rows(), body.wave_admittance.cols(), p);
   require(body.dashpots.size() == 0 || body.dashpots.isZero(0),
@@ -101,7 +121,9 @@ std::size_t sufficient_count(const Sparse& k, const Sparse& m, const ModalOption
   return std::min(count, eigenvalue_count_below(k, m, above) + 1);
 }
 
-Eigenpairs lowest_eigenpairs(const Sparse& k, const Sparse& m, std::size_t count, Route route) {
+Eigenpairs lowest_eigenpairs(const Sparse& k, const Sparse& m, const ModalOptions& options, double limit) {
+  const std::size_t count = sufficient_count(k, m, options, limit);
+  const Route route = options.route;
   switch (route == Route::automatic ? chosen_route(k, m, count) : route) {
     case Route::tridiagonal:
       require(is_banded(m, 0) && is_banded(k, 1),
@@ -119,8 +141,19 @@ Eigenpairs lowest_eigenpairs(const Sparse& k, const Sparse& m, std::size_t count
   }
 }
 
+Eigenpairs lowest_eigenpairs(const Eigen::MatrixXd& k, const Eigen::MatrixXd& m, const ModalOptions& options,
+                             double limit) {
+  require(options.route == Route::automatic || options.route == Route::dense,
+          "a dense structure takes the dense route only");
+  const double scale = elastic_eigenvalue_scale(k, m);
+  const std::size_t count = std::min(static_cast<std::size_t>(k.rows()), options.mode_count);
+  // Rigid-body modes are above a limit of 0 by rounding.
+  return lowest_dense_eigenpairs(k, m, scale > 0 ? scale : 1, count, std::max(limit, 0.1 * scale));
+}
+
 /// Sets the rigid-body modes' eigenvalues to 0 and their vectors right; returns how many there are.
-Eigen::Index settle_rigid_modes(const Sparse& k, const Sparse& m, Eigenpairs& pairs) {
+template <class Matrix>
+Eigen::Index settle_rigid_modes(const Matrix& k, const Matrix& m, Eigenpairs& pairs) {
   Eigen::Index count = 0;
   while (count < pairs.values.size() && is_rigid(k, pairs.vectors.col(count))) ++count;
   const double scale = count == 0                    ? 0
@@ -129,8 +162,11 @@ Eigen::Index settle_rigid_modes(const Sparse& k, const Sparse& m, Eigenpairs& pa
   pairs.values.head(count).setZero();
   const Eigen::MatrixXd rigid = purified_rigid_modes(k, m, pairs.vectors.leftCols(count), scale);
   pairs.vectors.leftCols(count) = rigid;
-  Eigen::Ref<Eigen::MatrixXd> elastic = pairs.vectors.rightCols(pairs.values.size() - count);
-  elastic -= (rigid * (rigid.transpose() * (m * elastic))).eval();
+  if (count > 0) {
+    Eigen::Ref<Eigen::MatrixXd> elastic = pairs.vectors.rightCols(pairs.values.size() - count);
+    const Eigen::MatrixXd momentum = m * rigid;
+    elastic -= rigid * (momentum.transpose() * elastic).eval();
+  }
   require(count == pairs.values.size() || pairs.values(count) > 0,
           "the stiffness matrix is not positive semidefinite (it has the eigenvalue {} rad²/s²)",
           count == pairs.values.size() ? 0 : pairs.values(count));
@@ -143,37 +179,95 @@ constexpr double residual_rounding = 1e-10;
 /// A residual flexibility more negative than this is no rounding of a body that double precision can describe.
 constexpr double residual_failure = 1e-4;
 
-Eigen::MatrixXd attached_residual(const Structure& body, const Eigenpairs& pairs, const Eigen::MatrixXd& participation,
-                                  Eigen::Index rigid_count) {
-  const Sparse& k = body.stiffness;
-  const Sparse& m = body.mass;
-  const Eigen::Index p = participation.cols(), elastic_count = pairs.values.size() - rigid_count;
-  if (pairs.values.size() == k.rows()) return Eigen::MatrixXd::Zero(p, p);  // nothing is left out
-  const double scale = elastic_eigenvalue_scale(k, m);
-  if (elastic_count == 0) {
-    const auto all = scale > 0 ? static_cast<Eigen::Index>(eigenvalue_count_below(k, m, 0.01 * scale)) : k.rows();
-    require(all == rigid_count,
-            "{} of {} rigid-body modes are asked for, but the residual flexibility needs them all; ask for more modes",
-            rigid_count, all);
-  }
-  const Eigen::MatrixXd whole = static_flexibility(k, m, pairs.vectors.leftCols(rigid_count), body.contacts, scale);
-  const Eigen::MatrixXd elastic = participation.bottomRows(elastic_count);
-  Eigen::MatrixXd residual =
-      whole - elastic.transpose() * pairs.values.tail(elastic_count).cwiseInverse().asDiagonal() * elastic;
+/// Whether the modes hold all rigid-body ones, without which there is no static answer of the others.
+void require_all_rigid_modes(const Sparse& k, const Sparse& m, Eigen::Index rigid_count, double scale) {
+  const auto all = scale > 0 ? static_cast<Eigen::Index>(eigenvalue_count_below(k, m, 0.01 * scale)) : k.rows();
+  require(all == rigid_count,
+          "{} of {} rigid-body modes are asked for, but the residual flexibility needs them all; ask for more modes",
+          rigid_count, all);
+}
+
+void require_all_rigid_modes(const Eigen::MatrixXd& k, const Eigen::MatrixXd& m, Eigen::Index rigid_count,
+                             double scale) {
+  const double shift = scale > 0 ? scale : 1;
+  const auto more = static_cast<std::size_t>(std::min(rigid_count + 1, k.rows()));
+  const Eigen::VectorXd values = lowest_dense_eigenpairs(k, m, shift, more).values;
+  require(scale == 0 || values(rigid_count) > 0.01 * scale,
+          "only {} of the rigid-body modes are asked for, but the residual flexibility needs them all; ask for more "
+          "modes",
+          rigid_count);
+}
+
+/// R changes how contact begins, so rounding must not pass for it.
+void settle_residual(const Eigen::MatrixXd& whole, Eigen::MatrixXd& residual) {
   residual = (residual + residual.transpose()).eval() / 2;
-  for (Eigen::Index i = 0; i < p; ++i) {
+  for (Eigen::Index i = 0; i < residual.rows(); ++i) {
     if (whole(i, i) > 0 && residual(i, i) < -residual_failure * whole(i, i))
       throw ConvergenceError(
           fmt::format("the modes are more flexible than the body at contact {} (by {} of its static flexibility)",
                       i + 1, -residual(i, i) / whole(i, i)),
           residual_failure, -residual(i, i) / whole(i, i), 0);
-    // R > 0 changes how contact begins, so rounding must not pass for it.
     if (residual(i, i) <= residual_rounding * whole(i, i)) {
       residual.row(i).setZero();
       residual.col(i).setZero();
     }
   }
-  return residual;
+}
+
+template <class Matrix>
+void attach_residual(const BasicStructure<Matrix>& body, const Eigenpairs& pairs, Eigen::Index rigid_count,
+                     ModalModel& model) {
+  const Matrix& k = body.stiffness;
+  const Matrix& m = body.mass;
+  const Eigen::Index elastic_count = pairs.values.size() - rigid_count;
+  if (pairs.values.size() == k.rows()) return;  // nothing is left out
+  const double scale = elastic_count > 0 ? pairs.values(rigid_count) : elastic_eigenvalue_scale(k, m);
+  if (elastic_count == 0) require_all_rigid_modes(k, m, rigid_count, scale);
+  const Eigen::MatrixXd displacements =
+      static_displacements(k, m, pairs.vectors.leftCols(rigid_count), body.contacts, scale);
+  const Eigen::MatrixXd whole = body.contacts.transpose() * displacements;
+  const Eigen::MatrixXd scaled =
+      pairs.values.tail(elastic_count).cwiseInverse().asDiagonal() * model.participation.bottomRows(elastic_count);
+  model.residual_flexibility = whole - model.participation.bottomRows(elastic_count).transpose() * scaled;
+  settle_residual(whole, model.residual_flexibility);
+  if (body.outputs.cols() > 0)
+    model.residual_outputs = body.outputs.transpose() * displacements -
+                             model.output_participation.bottomRows(elastic_count).transpose() * scaled;
+}
+
+template <class Matrix>
+ModalModel modal_model_of(const BasicStructure<Matrix>& body, const ModalOptions& options) {
+  require_structure(body);
+  require_options(options);
+  const Matrix& k = body.stiffness;
+  const Matrix& m = body.mass;
+  const double highest = 2 * std::numbers::pi * options.highest_frequency_Hz;
+  const double limit = highest * highest;
+
+  Eigenpairs pairs = lowest_eigenpairs(k, m, options, limit);
+  const Eigen::Index rigid_count = settle_rigid_modes(k, m, pairs);
+  const Eigen::Index kept = (pairs.values.array() <= limit).count();
+  pairs.values.conservativeResize(kept);
+  pairs.vectors.conservativeResize(Eigen::NoChange, kept);
+
+  const Eigen::Index p = body.contacts.cols(), q = body.outputs.cols();
+  ModalModel model;
+  model.angular_frequency = pairs.values.cwiseSqrt();
+  model.damping_ratio = Eigen::VectorXd::Zero(kept);
+  model.participation = pairs.vectors.transpose() * body.contacts;
+  model.residual_flexibility = Eigen::MatrixXd::Zero(p, p);
+  if (q > 0) {
+    model.output_participation = pairs.vectors.transpose() * body.outputs;
+    model.residual_outputs = Eigen::MatrixXd::Zero(q, p);
+  }
+  if (options.residual == ModalOptions::Residual::attached) {
+    attach_residual(body, pairs, rigid_count, model);
+    if (body.residual_flexibility.size() > 0) model.residual_flexibility += body.residual_flexibility;
+  }
+  if (options.shapes == ModalOptions::Shapes::kept) model.shapes = pairs.vectors;
+  model.wave_admittance = body.wave_admittance.size() == 0 ? Eigen::MatrixXd::Zero(p, p) : body.wave_admittance;
+  require_valid(model);
+  return model;
 }
 
 }  // namespace
@@ -192,6 +286,12 @@ void require_valid(const ModalModel& body) {
   require(body.angular_frequency.allFinite() && body.damping_ratio.allFinite() && body.participation.allFinite() &&
               body.residual_flexibility.allFinite() && body.wave_admittance.allFinite(),
           "a modal model has a value that is not finite");
+  require(body.output_participation.size() == 0 ||
+              (body.output_participation.rows() == modes && body.residual_outputs.cols() == contacts &&
+               body.residual_outputs.rows() == body.output_participation.cols()),
+          "output participations {} x {} and their residuals {} x {} do not fit {} modes and {} contacts",
+          body.output_participation.rows(), body.output_participation.cols(), body.residual_outputs.rows(),
+          body.residual_outputs.cols(), modes, contacts);
   for (Eigen::Index i = 0; i < modes; ++i) {
     const double omega = body.angular_frequency(i), zeta = body.damping_ratio(i);
     require(omega >= 0, "mode {} has the negative angular frequency {} rad/s", i + 1, omega);
@@ -201,32 +301,10 @@ void require_valid(const ModalModel& body) {
   }
 }
 
-ModalModel modal_model(const Structure& body, const ModalOptions& options) {
-  require_structure(body);
-  require_options(options);
-  const Sparse& k = body.stiffness;
-  const Sparse& m = body.mass;
-  const double highest = 2 * std::numbers::pi * options.highest_frequency_Hz;
-  const double limit = highest * highest;
+ModalModel modal_model(const Structure& body, const ModalOptions& options) { return modal_model_of(body, options); }
 
-  Eigenpairs pairs = lowest_eigenpairs(k, m, sufficient_count(k, m, options, limit), options.route);
-  const Eigen::Index rigid_count = settle_rigid_modes(k, m, pairs);
-  const Eigen::Index kept = (pairs.values.array() <= limit).count();
-  pairs.values.conservativeResize(kept);
-  pairs.vectors.conservativeResize(Eigen::NoChange, kept);
-
-  const Eigen::Index p = body.contacts.cols();
-  ModalModel model;
-  model.angular_frequency = pairs.values.cwiseSqrt();
-  model.damping_ratio = Eigen::VectorXd::Zero(kept);
-  model.participation = pairs.vectors.transpose() * body.contacts;
-  model.residual_flexibility = options.residual == ModalOptions::Residual::attached
-                                   ? attached_residual(body, pairs, model.participation, rigid_count)
-                                   : Eigen::MatrixXd::Zero(p, p);
-  if (options.shapes == ModalOptions::Shapes::kept) model.shapes = pairs.vectors;
-  model.wave_admittance = body.wave_admittance.size() == 0 ? Eigen::MatrixXd::Zero(p, p) : body.wave_admittance;
-  require_valid(model);
-  return model;
+ModalModel modal_model(const DenseStructure& body, const ModalOptions& options) {
+  return modal_model_of(body, options);
 }
 
 }  // namespace impulse

@@ -18,6 +18,9 @@ struct ModalModel {
   Eigen::MatrixXd wave_admittance;       ///< p × p, H(0+) of the continuous body [m/(N s)]; zero where it has none
   Eigen::MatrixXd shapes = {};           ///< u, n × m [kg^-1/2], if they were asked for; else empty
 
+  Eigen::MatrixXd output_participation = {};  ///< oᵀu, m × q, of the structure's outputs [unit of the output·kg^-1/2]
+  Eigen::MatrixXd residual_outputs = {};      ///< q × p, static answer of the modes left out there, per N at a contact
+
   [[nodiscard]] Eigen::Index mode_count() const { return angular_frequency.size(); }
   [[nodiscard]] Eigen::Index contact_count() const { return participation.cols(); }
 };
@@ -38,6 +41,8 @@ struct ModalOptions {
 ///
 ///   φᵢ = cᵀuᵢ,   R = Cᵀ K⁺ C - Σ_elastic φᵢφᵢᵀ/ωᵢ²   (K⁺: elastic flexibility, inertia relief for a free body)
 ///
+/// and the same of the outputs o, oᵀuᵢ and Oᵀ K⁺ C - Σ_elastic. What the structure has of a residual flexibility comes
+/// on top.
 /// The sign of a mode is arbitrary; damping ratios are 0. With a highest frequency the modes up to it are counted
 /// beforehand (inertia of K - ω²M); there may be none. R is 0 if Residual::none, if no mode is left out, and in the
 /// rows and columns of contacts where it is below 1e-10 of the static flexibility, which is rounding. Its accuracy is
@@ -51,5 +56,9 @@ struct ModalOptions {
 /// the static flexibility is lost to rounding.
 /// Verified by: tests/lib/modal_model.test.cpp
 [[nodiscard]] ModalModel modal_model(const Structure& body, const ModalOptions& options = {});
+
+/// The same of dense matrices, by LAPACK (lowest_dense_eigenpairs about a shift as above); the only route there is.
+/// Cost: a factorisation to find the shift, the eigenpairs, a factorisation for the residual flexibility.
+[[nodiscard]] ModalModel modal_model(const DenseStructure& body, const ModalOptions& options = {});
 
 }  // namespace impulse

@@ -4,6 +4,7 @@
 #include <Eigen/Sparse>
 
 #include <cstddef>
+#include <limits>
 
 namespace impulse {
 
@@ -29,6 +30,17 @@ struct Eigenpairs {
 /// @throws std::invalid_argument if the sizes do not fit, count > n, a value is not finite or M is not positive
 /// definite. Verified by: tests/lib/eigenpairs.test.cpp
 [[nodiscard]] Eigenpairs dense_eigenpairs(const Eigen::MatrixXd& k, const Eigen::MatrixXd& m, std::size_t count);
+
+/// Lowest eigenpairs of K u = λ M u, both dense and symmetric with both triangles stored, K + shift·M positive
+/// definite: those with λ ≤ limit (to 1e-6 of it, a little more rather than less), at most `count`. As the largest μ of
+/// M u = μ (K + shift·M) u: LAPACK dsytrd and, for a subset, dstemr. Low values are as accurate as the scaled condition
+/// of K allows, whatever the largest one is: errors are about ε (λ + shift) times what cancels in uᵀKu. High ones,
+/// where that is no longer so, are Rayleigh quotients. Cost: 8/3 n³ and 4 n² for each pair.
+/// @throws std::invalid_argument if the sizes do not fit, a value is not finite or K + shift·M is not positive
+/// definite. Verified by: tests/lib/eigenpairs.test.cpp
+[[nodiscard]] Eigenpairs lowest_dense_eigenpairs(const Eigen::MatrixXd& k, const Eigen::MatrixXd& m, double shift,
+                                                 std::size_t count,
+                                                 double limit = std::numeric_limits<double>::infinity());
 
 /// The `count` eigenpairs of K u = λ M u nearest above `shift`: ARPACK in shift-invert mode with a sparse factorisation
 /// of K - shift·M. K and M are symmetric with both triangles stored, M is positive definite. No eigenvalue is missed,

@@ -222,3 +222,42 @@ TEST_CASE("eigenpairs: refusals") {
   CHECK_THROWS_WITH_AS((void)shift_invert_eigenpairs(s, s, 1, 1), doctest::Contains("cannot be factorised"),
                        std::invalid_argument);
 }
+
+TEST_CASE("eigenpairs: low values of a graded dense problem keep their digits, high ones too") {
+  // Blocks d² [1 ½; ½ 1]: ½d² and 3/2 d², with d² from 1 to 1e16. The direct method leaves ε·1e16 in every value.
+  const Eigen::Index blocks = 17;
+  Eigen::MatrixXd k = Eigen::MatrixXd::Zero(2 * blocks, 2 * blocks);
+  const Eigen::MatrixXd m = Eigen::MatrixXd::Identity(2 * blocks, 2 * blocks);
+  std::vector<double> exact;
+  for (Eigen::Index i = 0; i < blocks; ++i) {
+    const double scale = std::pow(10.0, static_cast<double>(i));
+    k.block(2 * i, 2 * i, 2, 2) << scale, scale / 2, scale / 2, scale;
+    exact.insert(exact.end(), {scale / 2, 3 * scale / 2});
+  }
+  for (const std::size_t count : {3u, 10u, 34u}) {
+    const Eigenpairs pairs = lowest_dense_eigenpairs(k, m, 1, count);
+    REQUIRE(pairs.values.size() == static_cast<Eigen::Index>(count));
+    for (std::size_t i = 0; i < count; ++i)
+      CHECK(pairs.values(static_cast<Eigen::Index>(i)) == doctest::Approx(exact[i]).epsilon(1e-11));
+  }
+  CHECK(lowest_dense_eigenpairs(k, m, 0, 34, 150).values.size() == 6);
+  CHECK(lowest_dense_eigenpairs(k, m, 0, 4, 150).values.size() == 4);
+  CHECK(lowest_dense_eigenpairs(k, m, 0, 34, 0.1).values.size() == 0);
+}
+
+TEST_CASE("eigenpairs: the lowest of a dense problem are the chain's closed form, rigid-body mode included") {
+  const Eigen::Index n = 300;
+  for (const Ends ends : {Ends::fixed, Ends::free})
+    for (const std::size_t count : {7u, 300u}) {
+      const Pencil p{chain_stiffness(n, 3, ends), lumped_mass(n, 2)};
+      const Eigenpairs pairs = lowest_dense_eigenpairs(Eigen::MatrixXd(p.k), Eigen::MatrixXd(p.m), 1e-3, count);
+      for (Eigen::Index i = 0; i < pairs.values.size(); ++i)
+        CHECK(std::abs(pairs.values(i) - std::pow(chain_frequency(i, n, 3, 2, ends), 2)) <
+              1e-11 * pairs.values(i) + 1e-14);
+      CHECK(orthonormality_error(pairs, p.m) < 1e-10);
+      CHECK(equation_error(pairs, p) < 1e-12);
+    }
+  CHECK_THROWS_WITH((void)lowest_dense_eigenpairs(Eigen::MatrixXd(chain_stiffness(5, 1, Ends::free)),
+                                                  Eigen::MatrixXd(lumped_mass(5, 1)), -0.1, 2),
+                    doctest::Contains("is not positive semidefinite (K + -0.1·M is not positive definite)"));
+}

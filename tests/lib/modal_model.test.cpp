@@ -374,3 +374,69 @@ TEST_CASE("require_valid: refusals") {
   refuses("damping ratio 1,", [](ModalModel& b) { b.damping_ratio(0) = 1; });
   refuses("damping ratio -0.1,", [](ModalModel& b) { b.damping_ratio(0) = -0.1; });
 }
+
+TEST_CASE("modal_model: a dense structure has the modes, residuals and outputs of the sparse one") {
+  for (const Structure& body : {irregular_chain(60), chain(60, 1e6, 0.2, Ends::free)}) {
+    Structure with_outputs = body;
+    with_outputs.outputs = at(60, {17, 40});
+    DenseStructure dense;
+    dense.stiffness = body.stiffness;
+    dense.mass = body.mass;
+    dense.contacts = body.contacts;
+    dense.outputs = with_outputs.outputs;
+    for (const ModalOptions& options :
+         {ModalOptions{.mode_count = 9, .residual = Residual::attached},
+          ModalOptions{.highest_frequency_Hz = 200, .residual = Residual::attached},
+          ModalOptions{.mode_count = 1, .residual = Residual::attached}, ModalOptions{.highest_frequency_Hz = 0}}) {
+      const ModalModel a = modal_model(dense, options), b = modal_model(with_outputs, options);
+      REQUIRE(a.mode_count() == b.mode_count());
+      if (a.mode_count() == 0) continue;
+      CHECK((a.angular_frequency - b.angular_frequency).cwiseAbs().maxCoeff() <= 1e-9 * b.angular_frequency.maxCoeff());
+      // Signs of modes are arbitrary: products of participations are not.
+      for (Eigen::Index i = 0; i < a.mode_count(); ++i) {
+        CHECK((a.participation.row(i).transpose() * a.participation.row(i) -
+               b.participation.row(i).transpose() * b.participation.row(i))
+                  .norm() < 1e-7);
+        CHECK((a.output_participation.row(i).transpose() * a.participation.row(i) -
+               b.output_participation.row(i).transpose() * b.participation.row(i))
+                  .norm() < 1e-7);
+      }
+      CHECK((a.residual_flexibility - b.residual_flexibility).norm() <= 1e-9 * modal_flexibility(b).norm() + 1e-12);
+      CHECK((a.residual_outputs - b.residual_outputs).norm() <= 1e-9 * modal_flexibility(b).norm() + 1e-12);
+    }
+  }
+}
+
+TEST_CASE("modal_model: outputs and what the modes leave out add up to the static answer") {
+  Structure body = irregular_chain(50);
+  body.outputs = at(50, {7, 30, 44});
+  const Eigen::MatrixXd exact = body.outputs.transpose() * Eigen::MatrixXd(body.stiffness).llt().solve(body.contacts);
+  for (const std::size_t count : {1u, 10u, 49u, 50u}) {
+    const ModalModel model = modal_model(body, {.mode_count = count, .residual = Residual::attached});
+    const Eigen::MatrixXd sum =
+        model.residual_outputs + model.output_participation.transpose() *
+                                     model.angular_frequency.array().square().inverse().matrix().asDiagonal() *
+                                     model.participation;
+    CHECK((sum - exact).norm() < 1e-10 * exact.norm());
+  }
+}
+
+TEST_CASE("modal_model: refusals of dense structures and of outputs") {
+  DenseStructure body;
+  body.stiffness = Eigen::MatrixXd::Identity(70, 70);
+  body.mass = Eigen::MatrixXd::Identity(70, 70);
+  body.contacts = at(70, {0});
+  CHECK_NOTHROW((void)modal_model(body));
+  CHECK_THROWS_WITH((void)modal_model(body, {.route = Route::arpack}), "a dense structure takes the dense route only");
+  body.outputs = Eigen::MatrixXd::Zero(3, 1);
+  CHECK_THROWS_WITH((void)modal_model(body), doctest::Contains("outputs 3 x 1 do not fit 70 degrees of freedom"));
+  body.outputs.resize(0, 0);
+  body.stiffness(68, 1) = 1e-3;
+  CHECK_THROWS_WITH((void)modal_model(body), doctest::Contains("the stiffness matrix is not symmetric"));
+  body.stiffness(1, 68) = 1e-3;
+  body.stiffness(0, 0) = -1;
+  CHECK_THROWS_WITH((void)modal_model(body), doctest::Contains("the stiffness matrix is not positive semidefinite"));
+  ModalModel model = modal_model(irregular_chain(5));
+  model.output_participation = Eigen::MatrixXd::Zero(2, 1);
+  CHECK_THROWS_WITH(require_valid(model), doctest::Contains("output participations 2 x 1 and their residuals"));
+}

@@ -5,6 +5,7 @@
 #include "tools/support/bar_body.hpp"
 #include "tools/support/beam_body.hpp"
 #include "tools/support/mass_body.hpp"
+#include "tools/support/plate_body.hpp"
 #include "tools/support/solid_body.hpp"
 
 #include <fmt/format.h>
@@ -25,6 +26,7 @@ constexpr BodyKind kinds[] = {
     {"beam", read_beam_body},
     {"cone", read_bar_body},
     {"mass", read_mass_body},
+    {"plate", read_plate_body},
     {"solid", read_solid_body},
 };
 

@@ -28,6 +28,7 @@ class ModalRequest {
   void write(const ModalModel& body) const;
 
   [[nodiscard]] bool wants_modes() const { return as_ == Output::modes; }
+  [[nodiscard]] const std::string& output() const { return output_; }
 
   /// Of the response, and a response on it that was found without modes.
   [[nodiscard]] UniformGrid grid() const;
