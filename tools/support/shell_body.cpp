@@ -49,9 +49,9 @@ std::array<std::size_t, 2> parse_elements(const std::string& text) {
 
 }  // namespace
 
-ShellOptions::Fraction ShellOptions::parse_fraction(const std::string& text) {
+PanelFraction parse_panel_fraction(const std::string& text) {
   const auto parts = parts_of(text, 2, "two fractions of the sides such as 0.5,0.25");
-  const Fraction at{parse_quantity(parts[0], "1"), parse_quantity(parts[1], "1")};
+  const PanelFraction at{parse_quantity(parts[0], "1"), parse_quantity(parts[1], "1")};
   require(at.x >= 0 && at.x <= 1 && at.y >= 0 && at.y <= 1, "'{}' is outside the panel (fractions are 0 to 1)", text);
   return at;
 }
@@ -86,15 +86,15 @@ void ShellOptions::declare(Command& command, Use use) {
                                              "finite elements along x and y (default: 8,8)");
   command.quantity("--grading", grading_, "1", Sign::positive,
                    "longest element per shortest, which is at the first point --at");
-  command.parsed<Fraction>("--at", at_, parse_fraction, "FX,FY",
-                           use == Use::statics
-                               ? "point as fractions of the sides (default: 0.5,0.5); the first is loaded"
-                               : "point of contact as fractions of the sides (default: 0.5,0.5)");
+  command.parsed<PanelFraction>("--at", at_, parse_panel_fraction, "FX,FY",
+                                use == Use::statics
+                                    ? "point as fractions of the sides (default: 0.5,0.5); the first is loaded"
+                                    : "point of contact as fractions of the sides (default: 0.5,0.5)");
 }
 
 std::vector<PanelPoint> ShellOptions::points() const {
   std::vector<PanelPoint> points;
-  for (const Fraction& at : at_) points.push_back({at.x * size_m_.at(0), at.y * size_m_.at(1)});
+  for (const PanelFraction& at : at_) points.push_back({at.x * size_m_.at(0), at.y * size_m_.at(1)});
   if (points.empty()) points.push_back({size_m_.at(0) / 2, size_m_.at(1) / 2});
   return points;
 }

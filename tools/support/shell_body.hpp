@@ -10,6 +10,14 @@
 
 namespace impulse {
 
+/// A point as fractions of the sides.
+struct PanelFraction {
+  double x = 0.5, y = 0.5;
+};
+
+/// Reads `0.5,0.25`. @throws std::invalid_argument for another form or a point outside the panel.
+[[nodiscard]] PanelFraction parse_panel_fraction(const std::string& text);
+
 /// The options that describe a thin panel, body "shell", on the command line of a tool or as the keys of its file:
 /// size, curvature, wall, imperfection, supports, mesh and points of contact.
 class ShellOptions {
@@ -29,11 +37,6 @@ class ShellOptions {
   [[nodiscard]] std::vector<PanelPoint> points() const;
 
  private:
-  struct Fraction {
-    double x = 0.5, y = 0.5;
-  };
-  static Fraction parse_fraction(const std::string& text);
-
   Use use_ = Use::impact;
   std::vector<double> size_m_;
   LaminateOptions laminate_;
@@ -44,7 +47,7 @@ class ShellOptions {
   std::array<EdgeSupport, 4> edges_{};
   std::array<std::size_t, 2> elements_{8, 8};
   double grading_ = 1;
-  std::vector<Fraction> at_;
+  std::vector<PanelFraction> at_;
 };
 
 }  // namespace impulse

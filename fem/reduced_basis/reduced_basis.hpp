@@ -1,0 +1,50 @@
+#pragma once
+
+#include "fem/shell/shell.hpp"
+#include "lib/model/structure.hpp"
+
+#include <Eigen/Dense>
+#include <Eigen/SparseCholesky>
+
+#include <cstddef>
+
+namespace impulse {
+
+/// Vectors Ψ in whose span a body's motion is sought, q = Ψz; M-orthonormal, ΨᵀMΨ = 1.
+struct ReducedBasis {
+  Eigen::MatrixXd vectors;    ///< n × m
+  Eigen::MatrixXd stiffness;  ///< ΨᵀKΨ, m × m [1/s²]
+};
+
+enum class ModeKind {
+  any,
+  flexural,  ///< more than half of the kinetic energy is along the normals
+};
+
+/// The lowest modes of vibration, natural ones first; stiffness diag(ω²).
+/// @throws std::invalid_argument if the mesh has fewer modes of the kind, or the panel can move as a rigid body.
+/// Verified by: tests/fem/reduced_basis.test.cpp
+[[nodiscard]] ReducedBasis modal_basis(const Shell& shell, const Structure& body, std::size_t count, ModeKind kind);
+
+/// Share of the kinetic energy of each column that is along the surface's normals, 0 to 1.
+[[nodiscard]] Eigen::VectorXd normal_share(const Shell& shell, const Eigen::MatrixXd& modes);
+
+/// Wilson's Ritz vectors of a load p, each M-orthonormalised against all before, twice:
+///
+///   K ψ₁* = p,   K ψᵢ₊₁* = M ψᵢ
+///
+/// They stop early, with fewer vectors, where the next one is rounding: the load then excites no more.
+/// Reference: [Wilson1982]. Cost: a factorisation, a solution per vector and count² products.
+/// @throws std::invalid_argument for more vectors than unknowns, a zero load, or a K that can't be factorised.
+/// Verified by: tests/fem/reduced_basis.test.cpp
+[[nodiscard]] ReducedBasis ritz_basis(const Eigen::SparseMatrix<double>& stiffness,
+                                      const Eigen::SparseMatrix<double>& mass, const Eigen::VectorXd& load,
+                                      std::size_t count);
+
+/// The basis with what the other vectors add to it, M-orthonormalised; vectors that add less than 1e-6 of their length
+/// are left out. The first coordinates keep their meaning. The stiffness is with respect to `stiffness`.
+[[nodiscard]] ReducedBasis appended(const ReducedBasis& basis, const Eigen::MatrixXd& vectors,
+                                    const Eigen::SparseMatrix<double>& stiffness,
+                                    const Eigen::SparseMatrix<double>& mass);
+
+}  // namespace impulse

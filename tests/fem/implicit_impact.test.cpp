@@ -1,0 +1,173 @@
+#include "fem/implicit/implicit_impact.hpp"
+
+#include "fem/reduced_basis/reduced_basis.hpp"
+#include "lib/contract/errors.hpp"
+#include "tests/support/shells.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <numbers>
+#include <stdexcept>
+#include <vector>
+
+namespace impulse {
+namespace {
+
+using Eigen::VectorXd;
+
+/// A mass of 1 kg on a spring.
+Structure oscillator(double stiffness) {
+  Structure body;
+  body.stiffness.resize(1, 1);
+  body.stiffness.insert(0, 0) = stiffness;
+  body.mass.resize(1, 1);
+  body.mass.insert(0, 0) = 1;
+  body.contacts = Eigen::MatrixXd::Ones(1, 1);
+  return body;
+}
+
+ImplicitImpactSetup setup(double mass, double speed, double step, StepRule rule) {
+  return {.striker_mass_kg = mass, .speed_m_per_s = speed, .step_s = step, .rule = rule};
+}
+
+/// Displacement after n free steps of an oscillator ω = 1 from d = 1; the striker is far too light to matter.
+double free_displacement(StepRule rule, double step, int steps) {
+  const Structure body = oscillator(1);
+  const auto equations = linear_equations(body);
+  ImplicitImpact run(*equations, VectorXd::Ones(1), ContactLaw::linear(1e-30), setup(1e-20, 1e-3, step, rule));
+  run.change_equations(*equations, VectorXd::Ones(1), VectorXd::Ones(1), VectorXd::Zero(1));
+  for (int i = 0; i < steps; ++i) run.advance();
+  return run.displacement()(0);
+}
+
+TEST_CASE("a mode turns by the discrete angle: Newmark's period is (ωΔt)²/12 too long") {
+  for (const double step : {0.1, 0.4, 1.0}) {
+    const double angle = 2 * std::atan(step / 2);  // the constant average acceleration's
+    for (const StepRule rule : {StepRule::newmark, StepRule::conserving})
+      CHECK(free_displacement(rule, step, 50) == doctest::Approx(std::cos(50 * angle)).epsilon(1e-11));
+    CHECK(step / angle - 1 == doctest::Approx(step * step / 12).epsilon(0.15 * step * step + 1e-3));
+  }
+}
+
+/// A striker and a free mass with a linear spring between: F = √(k μ) V sin(ωt), μ the reduced mass.
+double spring_error(StepRule rule, int steps) {
+  const double mass = 0.5, k = 40, speed = 2, reduced = mass / (1 + mass), omega = std::sqrt(k / reduced);
+  const double duration = 0.4 * std::numbers::pi / omega;
+  const Structure body = oscillator(0);
+  const auto equations = linear_equations(body);
+  ImplicitImpact run(*equations, VectorXd::Ones(1), ContactLaw::linear(k), setup(mass, speed, duration / steps, rule));
+  for (int i = 0; i < steps; ++i) run.advance();
+  return std::abs(run.force_N() - std::sqrt(k * reduced) * speed * std::sin(omega * duration));
+}
+
+TEST_CASE("striker, law and body together: order 2 by every rule") {
+  for (const StepRule rule : {StepRule::newmark, StepRule::conserving, StepRule::wilson}) {
+    double before = spring_error(rule, 20);
+    for (const int steps : {40, 80, 160}) {
+      const double error = spring_error(rule, steps);
+      CHECK(std::log2(before / error) == doctest::Approx(2).epsilon(0.05));
+      before = error;
+    }
+  }
+}
+
+struct Struck {
+  Shell shell;
+  Structure body;
+};
+
+/// A thin panel that bends by more than its thickness.
+Struck thin_panel() {
+  PanelShape shape{.length_m = 0.15, .width_m = 0.10, .curvature = Curvature::along_y, .radius_m = 0.5};
+  const Laminate plies = laminate(layers_of("[0/45/-45/90]s", parse_ply("graphite-epoxy"), 1e-3));
+  Struck struck{Shell(shells::panel(shape, plies, "IIII", 4, 4)), {}};
+  struck.body = shell_structure(struck.shell, {{0.06, 0.05}});
+  return struck;
+}
+
+/// Relative drift of all energies over 0.4 ms, and the largest deflection per thickness.
+struct Drift {
+  double drift, deflection;
+};
+
+Drift drift(const MotionEquations& equations, const Struck& struck, StepRule rule, double step) {
+  ImplicitImpact run(equations, struck.body.contacts.col(0), ContactLaw::tan_sun(1e9, 0.1, 1e-5),
+                     setup(0.01, 8, step, rule));
+  const double before = run.total_energy();
+  double most = 0;
+  for (int i = 0; i < std::lround(4e-4 / step); ++i) {
+    run.advance();
+    most = std::max(most, run.trace().displacement_2_m.back());
+  }
+  return {std::abs(run.total_energy() / before - 1), most / 1e-3};
+}
+
+TEST_CASE("all energies together: kept to rounding where the rule says so, the law's loss counted") {
+  const Struck struck = thin_panel();
+  const auto linear = linear_equations(struck.body);
+  const auto nonlinear = shell_equations(struck.shell, struck.body);
+  CHECK(drift(*linear, struck, StepRule::newmark, 4e-6).drift <= 1e-12);
+  // Each step's equilibrium is found to 1e-8.
+  const Drift conserved = drift(*nonlinear, struck, StepRule::conserving, 4e-6);
+  CHECK(conserved.drift <= 1e-7);
+  CHECK(conserved.deflection > 0.5);
+  // Newmark's rule drifts with the step, Wilson's loses.
+  const double coarse = drift(*nonlinear, struck, StepRule::newmark, 4e-6).drift;
+  CHECK(coarse > 10 * conserved.drift);
+  CHECK(drift(*nonlinear, struck, StepRule::newmark, 1e-6).drift < coarse / 4);
+  CHECK(drift(*linear, struck, StepRule::wilson, 4e-6).drift > 1e-3);
+  CHECK(drift(*linear, struck, StepRule::wilson, 1e-6).drift < 2e-3);
+}
+
+TEST_CASE("momentum: what the striker loses is the impulse, and the record's work adds up") {
+  const Struck struck = thin_panel();
+  const auto equations = shell_equations(struck.shell, struck.body);
+  for (const StepRule rule : {StepRule::newmark, StepRule::conserving, StepRule::wilson}) {
+    ImplicitImpact run(*equations, struck.body.contacts.col(0), ContactLaw::hertz(1e9), setup(0.01, 8, 2e-6, rule));
+    for (int i = 0; i < 150; ++i) run.advance();
+    const ContactTrace& trace = run.trace();
+    CHECK(0.01 * (8 - trace.velocity_1_m_per_s.back()) ==
+          doctest::Approx(trace.running_impulse_Ns.back()).epsilon(1e-12));
+    const double balance = trace.work_1_J.back() + trace.work_2_J.back() + trace.stored_J.back();
+    CHECK(std::abs(balance) <= (rule == StepRule::wilson ? 1e-3 : 1e-12) * 0.32);
+  }
+}
+
+TEST_CASE("a linear step takes one solution, and a nonlinear one only a few") {
+  const Struck struck = thin_panel();
+  const auto linear = linear_equations(struck.body);
+  const auto nonlinear = shell_equations(struck.shell, struck.body);
+  for (const MotionEquations* equations : {linear.get(), nonlinear.get()}) {
+    ImplicitImpact run(*equations, struck.body.contacts.col(0), ContactLaw::hertz(1e9),
+                       setup(0.01, 8, 1e-6, StepRule::newmark));
+    for (int i = 0; i < 100; ++i) run.advance();
+    CHECK(run.iteration_count() <= (equations == linear.get() ? 100 : 500));
+  }
+}
+
+TEST_CASE("impacts that cannot be computed are refused") {
+  const Struck struck = thin_panel();
+  const auto equations = shell_equations(struck.shell, struck.body);
+  const VectorXd contact = struck.body.contacts.col(0);
+  const auto start = [&](const ContactLaw& law, const ImplicitImpactSetup& with) {
+    return ImplicitImpact(*equations, contact, law, with);
+  };
+  CHECK_THROWS_WITH_AS(start(ContactLaw::rigid(), setup(1, 1, 1e-6, StepRule::newmark)),
+                       "a rigid contact has no law of indentation", std::invalid_argument);
+  CHECK_THROWS_WITH_AS(start(ContactLaw::hertz(1e9), setup(1, 1, 0, StepRule::newmark)), "step 0 s is not positive",
+                       std::invalid_argument);
+  CHECK_THROWS_WITH_AS(start(ContactLaw::hertz(1e9), setup(0, 1, 1e-6, StepRule::newmark)),
+                       "the striker's mass 0 kg is not positive", std::invalid_argument);
+  CHECK_THROWS_WITH_AS(start(ContactLaw::hertz(1e9), setup(1, 0, 1e-6, StepRule::newmark)),
+                       "the striker's speed 0 m/s is not positive", std::invalid_argument);
+  ImplicitImpact fast = start(ContactLaw::hertz(1e9), setup(1, 100, 2e-3, StepRule::newmark));
+  CHECK_THROWS_WITH_AS(
+      [&] {
+        for (int i = 0; i < 10; ++i) fast.advance();
+      }(),
+      doctest::Contains("finds no equilibrium in 40 iterations; use a step shorter than 0.002 s"), ConvergenceError);
+}
+
+}  // namespace
+}  // namespace impulse

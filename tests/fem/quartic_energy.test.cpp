@@ -1,0 +1,105 @@
+#include "fem/reduced_basis/quartic_energy.hpp"
+
+#include "fem/reduced_basis/reduced_equations.hpp"
+#include "fem/reduced_basis/wide_product.hpp"
+#include "tests/support/shells.hpp"
+
+#include <doctest/doctest.h>
+
+#include <cmath>
+#include <stdexcept>
+
+namespace impulse {
+namespace {
+
+using Eigen::MatrixXd;
+using Eigen::VectorXd;
+
+Shell curved_panel() {
+  PanelShape shape{.length_m = 0.15, .width_m = 0.10, .curvature = Curvature::along_y, .radius_m = 0.4};
+  const Laminate plies = laminate(layers_of("[0/45/0/-45]", parse_ply("graphite-epoxy"), 1e-3));
+  return Shell(shells::panel(shape, plies, "ICTI", 3, 3));
+}
+
+struct Case {
+  Shell shell = curved_panel();
+  Structure body = shell_structure(shell, {{0.07, 0.06}});
+  ReducedBasis modes = modal_basis(shell, body, 7, ModeKind::any);
+  QuarticReduction reduction = quartic_reduction([this](const VectorXd& q) { return shell.internal(q).force; },
+                                                 body.stiffness, modes.vectors, amplitudes());
+
+  [[nodiscard]] VectorXd amplitudes() const {
+    return 1e-3 * modes.vectors.cwiseAbs().colwise().maxCoeff().cwiseInverse().transpose() * 100;
+  }
+  [[nodiscard]] VectorXd coordinates() const {
+    VectorXd z(7);
+    z << 1, -0.7, 0.4, 0.9, -0.3, 0.2, -0.8;
+    return 8 * z.cwiseProduct(amplitudes());
+  }
+};
+
+TEST_CASE("tensors give the energy and the force of the whole mesh, to rounding") {
+  const Case c;
+  const VectorXd z = c.coordinates();
+  const ShellForce whole = c.shell.internal(c.modes.vectors * z);
+  const VectorXd expected = c.modes.vectors.transpose() * whole.force;
+  const VectorXd found = c.reduction.energy.force(z, pair_products(z));
+  CHECK((found - expected).norm() <= 1e-10 * expected.norm());
+  CHECK(c.reduction.energy.energy(z) == doctest::Approx(whole.energy_J).epsilon(1e-10));
+  // The orders matter here: neither of the higher ones is small.
+  const VectorXd linear = c.modes.stiffness * z;
+  CHECK((expected - linear).norm() > 0.3 * expected.norm());
+}
+
+TEST_CASE("the quadratic force outside the basis is the even part of the whole force") {
+  const Case c;
+  const VectorXd z = c.coordinates(), q = c.modes.vectors * z;
+  const VectorXd even = (c.shell.internal(q).force + c.shell.internal(-q).force) / 2;
+  CHECK((c.reduction.quadratic_force * pair_products(z) - even).norm() <= 1e-10 * even.norm());
+}
+
+TEST_CASE("condensation is the minimum over coordinates that enter quadratically") {
+  // E(z, y) = quartic(z) + pᵀFᵀy + ½yᵀHy; least over y at y = -H⁻¹Fp.
+  QuarticEnergy energy{MatrixXd::Identity(3, 3), MatrixXd::Zero(3, 6), MatrixXd::Zero(3, 10)};
+  MatrixXd f(2, 6), h(2, 2);
+  f << 1, -2, 0.5, 3, 0.2, -1, 0.3, 1, -1, 0.7, 2, 0.1;
+  h << 3, 1, 1, 2;
+  const MatrixXd g = f.transpose() * h.inverse() * f;
+  condense(energy, g);
+  VectorXd z(3);
+  z << 0.3, -0.7, 1.1;
+  const VectorXd p = pair_products(z), y = -h.inverse() * f * p;
+  const auto whole = [&](const VectorXd& at, const VectorXd& own) {
+    return at.squaredNorm() / 2 + own.dot(f * pair_products(at)) + own.dot(h * own) / 2;
+  };
+  CHECK(energy.energy(z) == doctest::Approx(whole(z, y)).epsilon(1e-13));
+  const VectorXd force = energy.force(z, p);
+  for (Eigen::Index i = 0; i < 3; ++i) {
+    const VectorXd d = 1e-3 * VectorXd::Unit(3, i);
+    // At the minimum the force is the derivative with y held; a cubic difference is exact but for its fourth order.
+    CHECK(force(i) == doctest::Approx((whole(z + d, y) - whole(z - d, y)) / 2e-3).epsilon(1e-12));
+  }
+}
+
+TEST_CASE("the product by wide registers is the product") {
+  for (const Eigen::Index rows : {1, 7, 20})
+    for (const Eigen::Index columns : {1, 6, 35}) {
+      const MatrixXd a = MatrixXd::Random(rows, columns);
+      const VectorXd x = VectorXd::Random(columns);
+      VectorXd y = VectorXd::Ones(rows);
+      add_product(a, x, y);
+      CHECK((y - VectorXd::Ones(rows) - a * x).norm() <= 1e-14 * static_cast<double>(columns));
+    }
+}
+
+TEST_CASE("tensors of too many vectors are refused") {
+  const Case c;
+  CHECK_THROWS_WITH_AS((void)quartic_reduction([](const VectorXd& q) { return q; }, c.body.stiffness,
+                                               MatrixXd::Zero(c.shell.size(), 41), VectorXd::Ones(41)),
+                       "tensors of 41 vectors (1 to 40) are dearer than evaluating the mesh", std::invalid_argument);
+  CHECK_THROWS_WITH_AS((void)tensor_model(c.shell, c.body, c.modes, 8),
+                       "8 nonlinear modes of 7; ask for no more than there are", std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace impulse

@@ -1,0 +1,250 @@
+#include "fem/reduced_basis/panel_impact.hpp"
+#include "lib/cli/law_options.hpp"
+#include "lib/cli/progress.hpp"
+#include "lib/cli/run_tool.hpp"
+#include "lib/contract/errors.hpp"
+#include "lib/csv/csv_output.hpp"
+#include "lib/law/impact_csv.hpp"
+#include "tools/support/shell_body.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace {
+
+using namespace impulse;
+
+enum class Method { newmark, conserving, wilson, modes, ritz, tensor };
+
+struct Request {
+  ShellOptions body;
+  LawOptions law;
+  ImplicitImpactSetup setup;
+  double duration_s = 0;
+  Method method = Method::newmark;
+  PanelImpactOptions options;
+  StepRule rule = StepRule::newmark;
+  bool linear = false;
+  std::optional<double> update_tolerance;
+  bool summary = false;
+  std::optional<std::string> contacts, points, statistics;
+  std::vector<PanelFraction> probes;
+  std::string output;
+
+  void declare(Command& command) {
+    body.declare(command, ShellOptions::Use::impact);
+    law.declare(command);
+    command.quantity("--mass", setup.striker_mass_kg, "kg", Sign::positive, "of the rigid striker").required();
+    command.quantity("--speed", setup.speed_m_per_s, "m/s", Sign::positive, "of the striker").required();
+    command.quantity("--step", setup.step_s, "s", Sign::positive, "time step").required();
+    command.quantity("--duration", duration_s, "s", Sign::positive, "round(duration/step) + 1 samples").required();
+    command.choice<Method>("--method", method,
+                           {{"newmark", Method::newmark},
+                            {"conserving", Method::conserving},
+                            {"wilson", Method::wilson},
+                            {"modes", Method::modes},
+                            {"ritz", Method::ritz},
+                            {"tensor", Method::tensor}},
+                           "the whole mesh by one of three rules, or its motion in a basis: modes of vibration, Ritz "
+                           "vectors of the contact force, or modes with tensors for the nonlinearity");
+    command.choice<StepRule>(
+        "--rule", rule,
+        {{"newmark", StepRule::newmark}, {"conserving", StepRule::conserving}, {"wilson", StepRule::wilson}},
+        "step of modes, ritz and tensor");
+    command.flag("--linear", linear, "small displacements of the panel");
+    command.count("--vectors", options.vectors, 1, "of modes, ritz and tensor");
+    command.choice<ModeKind>("--modes", options.modes, {{"any", ModeKind::any}, {"flexural", ModeKind::flexural}},
+                             "which modes, the lowest first: any, or those that move mostly along the normal");
+    command.count("--nonlinear-vectors", options.nonlinear_vectors, 1,
+                  "of tensor: how many of the modes have finite amplitudes; at most 40");
+    command.choice<LeftOut>("--left-out", options.left_out, {{"static", LeftOut::static_}, {"rigid", LeftOut::rigid}},
+                            "whether what the vectors leave out yields statically under the contact force");
+    command.quantity("--update", options.update_s, "s", Sign::positive,
+                     "of ritz: times at which vectors of the present state are added");
+    command.quantity("--update-tolerance", update_tolerance, "1", Sign::positive,
+                     "of ritz: add them whenever the unbalanced force is above this");
+    command.count("--update-vectors", options.update_vectors, 1, "how many are added each time");
+    command.parsed<PanelFraction>("--probe", probes, parse_panel_fraction, "FX,FY",
+                                  "point whose deflection and strains go to --points, as fractions of the sides");
+    command.text("--points", points, "FILE", "write deflection and strains of every --probe to FILE");
+    command.text("--contacts", contacts, "FILE", "write a row for every period of contact to FILE");
+    command.text("--statistics", statistics, "FILE",
+                 "write one row to FILE: unknowns, iterations, energy drift, unbalanced force, seconds");
+    command.flag("--summary", summary, "write one row about the impact instead of its history");
+    command.output(output);
+  }
+
+  [[nodiscard]] bool reduced() const {
+    return method == Method::modes || method == Method::ritz || method == Method::tensor;
+  }
+
+  void require_consistent(const Command& command) const {
+    const auto refuse_unless = [&](bool applies, const char* flag, const char* where) {
+      if (!applies && command.given(flag)) throw UsageError(flag, where);
+    };
+    for (const char* flag : {"--vectors", "--rule", "--left-out"})
+      refuse_unless(reduced(), flag, "belongs to --method modes, ritz or tensor");
+    refuse_unless(method == Method::modes || method == Method::tensor, "--modes",
+                  "belongs to --method modes or tensor");
+    refuse_unless(method == Method::tensor && !linear, "--nonlinear-vectors",
+                  "belongs to --method tensor without --linear");
+    for (const char* flag : {"--update", "--update-tolerance"})
+      refuse_unless(method == Method::ritz, flag, "belongs to --method ritz");
+    refuse_unless(command.given("--update") || command.given("--update-tolerance"), "--update-vectors",
+                  "belongs to --update or --update-tolerance");
+    if (points.has_value() != !probes.empty())
+      throw UsageError(points ? "--points" : "--probe", "--probe says where, --points to which file; give both");
+    if (rule == StepRule::wilson && reduced() && options.left_out == LeftOut::static_)
+      throw UsageError("--rule", "wilson takes no static flexibility; add --left-out rigid");
+    if (body.points().size() != 1) throw UsageError("--at", "an impact has one point");
+  }
+
+  /// The options of the parts that follow from --method.
+  void settle() {
+    static constexpr PanelMethod methods[6] = {PanelMethod::full,  PanelMethod::full, PanelMethod::full,
+                                               PanelMethod::modes, PanelMethod::ritz, PanelMethod::tensor};
+    static constexpr StepRule rules[3] = {StepRule::newmark, StepRule::conserving, StepRule::wilson};
+    options.method = methods[static_cast<std::size_t>(method)];
+    setup.rule = reduced() ? rule : rules[static_cast<std::size_t>(method)];
+    options.geometry = linear ? Geometry::linear : Geometry::nonlinear;
+    if (update_tolerance) options.update_tolerance = *update_tolerance;
+    if (options.method == PanelMethod::tensor)
+      options.nonlinear_vectors = std::min(options.nonlinear_vectors, options.vectors);
+  }
+};
+
+/// Deflections and strains of the probes, one row per sample.
+class ProbeRecord {
+ public:
+  ProbeRecord(const Request& request, const Shell& shell) : request_(request), shell_(shell) {
+    const PanelShape& shape = shell.panel().shape;
+    for (const PanelFraction& at : request.probes) points_.push_back({at.x * shape.length_m, at.y * shape.width_m});
+  }
+
+  void add(double time_s, const PanelImpact& run) {
+    if (points_.empty()) return;
+    const Eigen::VectorXd q = run.displacement();
+    const double half = shell_.panel().laminate.thickness_m / 2;
+    std::vector<CsvField> row{time_s};
+    for (const PanelPoint& point : points_) {
+      row.emplace_back(shell_.normal(point).dot(shell_.displacement(q, point)));
+      const ShellStrain strain = shell_.strain(q, point);
+      for (const double z : {-half, half})
+        for (int k = 0; k < 3; ++k) row.emplace_back(strain.membrane(k) + z * strain.curvature(k));
+    }
+    rows_.push_back(std::move(row));
+  }
+
+  void write() const {
+    if (points_.empty()) return;
+    std::vector<std::string> names{"time_s"};
+    for (std::size_t i = 1; i <= points_.size(); ++i) {
+      names.push_back(fmt::format("deflection_{}_m", i));
+      for (const char* side : {"struck", "far"})
+        for (const char* component : {"x", "y", "xy"})
+          names.push_back(fmt::format("strain_{}_{}_{}", component, side, i));
+    }
+    CsvOutput csv(*request_.points, names);
+    for (const auto& row : rows_) csv.row(row);
+    csv.close();
+  }
+
+ private:
+  const Request& request_;
+  const Shell& shell_;
+  std::vector<PanelPoint> points_;
+  std::vector<std::vector<CsvField>> rows_;
+};
+
+double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
+
+void write_statistics(const std::string& path, const PanelImpact& run, double unbalanced, double set_up_s,
+                      double stepping_s) {
+  CsvOutput csv(path, {"unknowns", "updates", "steps", "iterations", "energy_drift", "unbalanced_force", "set_up_s",
+                       "stepping_s"});
+  csv.row({static_cast<double>(run.unknowns()), static_cast<double>(run.update_count()),
+           static_cast<double>(run.impact().trace().force_N.size() - 1),
+           static_cast<double>(run.impact().iteration_count()), run.energy_drift(), unbalanced, set_up_s, stepping_s});
+  csv.close();
+}
+
+void write_impact(const Request& request, const PanelImpact& run) {
+  const ContactTrace& trace = run.impact().trace();
+  if (trace.force_N.size() < 2) return;
+  const UniformGrid grid{request.setup.step_s, trace.force_N.size()};
+  if (trace.in_contact.back())
+    fmt::print(stderr, "fe-shell: the record ends during contact, after {:g} s; use a longer --duration\n",
+               grid.duration_s());
+  if (request.contacts) write_intervals(*request.contacts, grid, {trace});
+  if (!request.summary) {
+    write_traces(request.output, grid, {trace});
+    return;
+  }
+  const double lost = trace.work_1_J.back() + trace.work_2_J.back() + trace.stored_J.back() + trace.dissipated_J.back();
+  const double scale = request.setup.speed_m_per_s * trace.running_impulse_Ns.back();
+  write_summary(request.output, contacts_summary({trace}, grid,
+                                                 {.speed_1_m_per_s = request.setup.speed_m_per_s,
+                                                  .mass_1_kg = request.setup.striker_mass_kg,
+                                                  .energy_error = scale > 0 ? std::abs(lost) / scale : 0}));
+}
+
+int run(Request& request, const Command& command) {
+  request.require_consistent(command);
+  request.settle();
+  const UniformGrid grid = grid_over(request.duration_s, request.setup.step_s);
+  const ContactLaw law = request.law.laws(1).front();
+  if (law.is_rigid()) throw UsageError("--law", "a striker on a panel needs a law that yields; give --law hertz");
+  const double start = seconds();
+  const Shell shell(request.body.panel());
+  const Structure structure = shell_structure(shell, request.body.points());
+  PanelImpact panel(shell, structure, law, request.setup, request.options);
+  const double set_up = seconds() - start;
+  ProbeRecord record(request, shell);
+  record.add(0, panel);
+  Progress progress("fe-shell");
+  double unbalanced = 0, stepping = 0;
+  const std::size_t every = std::max<std::size_t>(1, grid.size / 50);
+  try {
+    for (std::size_t k = 1; k < grid.size; ++k) {
+      const double before = seconds();
+      panel.advance();
+      stepping += seconds() - before;
+      record.add(panel.impact().time_s(), panel);
+      if (request.statistics && k % every == 0) unbalanced = std::max(unbalanced, panel.unbalanced_force());
+      progress(static_cast<double>(k) / static_cast<double>(grid.size));
+    }
+  } catch (const ConvergenceError&) {
+    write_impact(request, panel);  // what there is up to here
+    record.write();
+    throw;
+  }
+  record.write();
+  if (request.statistics) write_statistics(*request.statistics, panel, unbalanced, set_up, stepping);
+  write_impact(request, panel);
+  return 0;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Command command(
+      {"fe-shell", "impact of a rigid striker on a thin laminated panel, by shell elements",
+       "Moderately large deflections unless --linear. Panel, striker and contact law are solved together in every "
+       "step; bodies that parted may touch again. The columns are those of ir-impact; --points has the deflection "
+       "along "
+       "the normal and the strains on the struck and on the far side, along x, y and in shear.",
+       "fe-shell --size 152.4mm,101.6mm --layup '[0/45/0/-45/0]2s' --ply graphite-epoxy --thickness 2.69mm \\\n"
+       "  --curvature-radius 0.6725m --edges IIII --mass 8.537g --speed 3m/s --law tan-sun --stiffness 1.413e9 \\\n"
+       "  --permanent-beta 0.094 --critical-indentation 166.7um --method tensor --step 2us --duration 500us "
+       "--summary"});
+  Request request;
+  request.declare(command);
+  return run_tool(argc, argv, command, [&] { return run(request, command); });
+}
