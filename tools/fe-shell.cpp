@@ -63,7 +63,8 @@ struct Request {
     command.choice<ModeKind>("--modes", options.modes, {{"any", ModeKind::any}, {"flexural", ModeKind::flexural}},
                              "which modes, the lowest first: any, or those that move mostly along the normal");
     command.count("--nonlinear-vectors", options.nonlinear_vectors, 1,
-                  "of tensor: how many of the modes have finite amplitudes; at most 40");
+                  "of tensor: how many of the modes have finite amplitudes, the lowest of those that the force moves; "
+                  "at most 40");
     command.choice<LeftOut>("--left-out", options.left_out, {{"static", LeftOut::static_}, {"rigid", LeftOut::rigid}},
                             "whether what the vectors leave out yields statically under the contact force");
     command.quantity("--update", options.update_s, "s", Sign::positive,

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 namespace impulse {
 
@@ -86,9 +85,12 @@ void ImplicitImpact::refuse(double achieved) const {
       setup_.tolerance, achieved, setup_.most_iterations);
 }
 
-VectorXd ImplicitImpact::solved(const VectorXd& residual) const {
+VectorXd ImplicitImpact::solved(const VectorXd& residual, std::size_t iteration) {
   VectorXd correction = solve_(residual);
-  if (!correction.allFinite()) refuse(std::numeric_limits<double>::infinity());  // before the law is asked about it
+  const double length = correction.norm();
+  if (iteration == 1) first_correction_ = length;
+  // Before the law is asked about a displacement that overflows.
+  if (!(length <= 1e8 * first_correction_)) refuse(length / first_correction_);
   return correction;
 }
 
@@ -117,7 +119,7 @@ void ImplicitImpact::step_mean_force() {
   for (std::size_t iteration = 1;; ++iteration) {
     const VectorXd residual =
         -mean_internal_force(change, end_force) - equations_->mass_times((2 / dt) * (change / dt - v_));
-    correction = solved(residual);
+    correction = solved(residual, iteration);
     answer = law_contact_.answer(flight - contact_.dot(change) - contact_.dot(correction), compliance);
     correction += answer.mean_force_N * by_contact_;
     change += correction;
@@ -167,7 +169,7 @@ void ImplicitImpact::step_wilson() {
   for (std::size_t iteration = 1;; ++iteration) {
     const VectorXd residual = (1 - theta) * force_ * contact_ - equations_->internal_force(d_ + delta) -
                               equations_->mass_times(acceleration_at_tau(delta));
-    VectorXd correction = solved(residual);
+    VectorXd correction = solved(residual, iteration);
     const VectorXd end = a_ + (acceleration_at_tau(delta + correction) - a_) / theta;
     new_force = wilson_force(flight - contact_.dot(displacement_change(end)), compliance);
     correction += theta * new_force * by_contact_;

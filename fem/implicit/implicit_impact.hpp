@@ -77,7 +77,7 @@ class ImplicitImpact {
   void step_wilson();
   [[nodiscard]] Eigen::VectorXd mean_internal_force(const Eigen::VectorXd& change, Eigen::VectorXd& end_force) const;
   [[noreturn]] void refuse(double achieved) const;
-  [[nodiscard]] Eigen::VectorXd solved(const Eigen::VectorXd& residual) const;
+  [[nodiscard]] Eigen::VectorXd solved(const Eigen::VectorXd& residual, std::size_t iteration);
   [[nodiscard]] bool settled(const Eigen::VectorXd& correction, const Eigen::VectorXd& change, std::size_t iteration);
   [[nodiscard]] double wilson_force(double free_approach, double compliance) const;
   void factorise();
@@ -95,8 +95,9 @@ class ImplicitImpact {
   double time_s_ = 0;
   double striker_d_ = 0, striker_v_ = 0;
   double force_ = 0, mean_force_ = 0, indentation_ = 0;
-  double rate_ = 1;             // of the iteration's convergence, as last seen
-  double last_correction_ = 0;  // relative, of the iteration before
+  double rate_ = 1;              // of the iteration's convergence, as last seen
+  double last_correction_ = 0;   // relative, of the iteration before
+  double first_correction_ = 0;  // of the present step
   double impulse_ = 0, work_1_ = 0, work_2_ = 0;
   bool in_contact_ = false;
   std::size_t iterations_ = 0;

@@ -29,7 +29,7 @@ struct PanelImpactOptions {
   Geometry geometry = Geometry::nonlinear;
   std::size_t vectors = 60;            ///< of a reduction
   ModeKind modes = ModeKind::any;      ///< of modes and tensor
-  std::size_t nonlinear_vectors = 20;  ///< of tensor: of the vectors, those of finite amplitude
+  std::size_t nonlinear_vectors = 20;  ///< of tensor: of the modes, those of finite amplitude, excited ones first
   LeftOut left_out = LeftOut::static_;
   std::vector<double> update_s{};  ///< ritz: times, rising, at which Ritz vectors of the present state are added
   double update_tolerance = std::numeric_limits<double>::infinity();  ///< ritz: and whenever unbalanced_force is above
@@ -58,8 +58,9 @@ class PanelImpact {
   /// Displacement of the whole panel, but for what is left out.
   [[nodiscard]] Eigen::VectorXd displacement() const;
 
-  /// √(rᵀK⁻¹r / qᵀKq), r = F̄c - f̄ - M Δv/Δt in all degrees of freedom at the end of the last step: the share of the
-  /// displacement's energy norm that the unbalanced force would move. Near the tolerance for the full system.
+  /// √(rᵀK⁻¹r / 2E), r = F̄c - f̄ - M Δv/Δt in all degrees of freedom through the last step, E the energy that arrived: r
+  /// would store this share of it, squared, were it let go. Near the tolerance for the full system; large for a basis
+  /// under a point force even where its deflections are good, because r then has the whole dimple around the point.
   [[nodiscard]] double unbalanced_force() const;
 
   /// The present energy less the one that arrived, relative to it.
@@ -81,7 +82,7 @@ class PanelImpact {
   std::unique_ptr<TensorModel> tensors_;
   std::unique_ptr<MotionEquations> equations_;
   std::unique_ptr<ImplicitImpact> impact_;
-  Eigen::VectorXd before_;  // displacement of the whole panel a step ago
+  Eigen::VectorXd before_;  // coordinates a step ago
   std::size_t updates_ = 0, steps_since_update_ = 0, next_time_ = 0;
 };
 
