@@ -85,18 +85,19 @@ void ImplicitImpact::refuse(double achieved) const {
       setup_.tolerance, achieved, setup_.most_iterations);
 }
 
-VectorXd ImplicitImpact::solved(const VectorXd& residual, std::size_t iteration) {
+VectorXd ImplicitImpact::solved(const VectorXd& residual, std::size_t iteration) const {
   VectorXd correction = solve_(residual);
   const double length = correction.norm();
-  if (iteration == 1) first_correction_ = length;
-  // Before the law is asked about a displacement that overflows.
-  if (!(length <= 1e8 * first_correction_)) refuse(length / first_correction_);
+  // Divergence is refused before the law is asked about a displacement that overflows.
+  const bool diverges = iteration > 1 && first_correction_ > 0 && length > 1e8 * first_correction_;
+  if (diverges || !std::isfinite(length)) refuse(length);
   return correction;
 }
 
 bool ImplicitImpact::settled(const VectorXd& correction, const VectorXd& change, std::size_t iteration) {
   ++iterations_;
   if (equations_->geometry() == Geometry::linear) return true;
+  if (iteration == 1) first_correction_ = correction.norm();
   const double relative = correction.norm() / std::max(change.norm(), 1e-300);
   // The slowest rate of the last iterations; it fades, so that one bad step isn't remembered for ever.
   if (iteration > 1 && last_correction_ > 0)

@@ -77,7 +77,7 @@ class ImplicitImpact {
   void step_wilson();
   [[nodiscard]] Eigen::VectorXd mean_internal_force(const Eigen::VectorXd& change, Eigen::VectorXd& end_force) const;
   [[noreturn]] void refuse(double achieved) const;
-  [[nodiscard]] Eigen::VectorXd solved(const Eigen::VectorXd& residual, std::size_t iteration);
+  [[nodiscard]] Eigen::VectorXd solved(const Eigen::VectorXd& residual, std::size_t iteration) const;
   [[nodiscard]] bool settled(const Eigen::VectorXd& correction, const Eigen::VectorXd& change, std::size_t iteration);
   [[nodiscard]] double wilson_force(double free_approach, double compliance) const;
   void factorise();
