@@ -39,7 +39,7 @@ struct ImplicitImpactSetup {
 /// A nonlinear equation is iterated with the constant matrix of the equations until the next correction, as the last
 /// seen rate of convergence foretells it, is below the tolerance; a linear one takes one solution.
 /// The contact's displacement is cᵀq + R F with the residual flexibility R, its velocity is without R.
-/// Periods of a mode come out longer by (ωΔt)²/12; Wilson's by about 0.4 (ωΔt)². Order 2.
+/// Periods of a mode come out longer by (ωΔt)²/12 with the first two. Order 2.
 /// Reference: [BatheWilson1976]. Verified by: tests/fem/implicit_impact.test.cpp
 class ImplicitImpact {
  public:
