@@ -49,9 +49,10 @@ struct Request {
       throw UsageError("--modes", fmt::format("{} modes are asked for, but the series has only {} unknowns; use more "
                                               "--terms",
                                               *modal.mode_count(), unknowns));
+    using Residual = ModalOptions::Residual;
     return modal_model(structure, {.mode_count = modal.mode_count().value_or(std::numeric_limits<std::size_t>::max()),
                                    .highest_frequency_Hz = highest_frequency_Hz,
-                                   .residual = ModalOptions::Residual::attached});
+                                   .residual = structure.contacts.cols() > 0 ? Residual::attached : Residual::none});
   }
 
   void run() const {
