@@ -22,7 +22,7 @@ namespace impulse {
 /// E₄ is exact in Φ; in y and x the energy keeps what is linear in them beside products of z. For a flat plate, where x
 /// and y are in its plane, that is von Kármán's theory without in-plane inertia; for a curved one they are bending too
 /// and their own amplitude is taken to be small. Without x a curved panel would be several times too stiff.
-/// Verified by: tests/fem/reduced_equations.test.cpp
+/// Verified by: tests/fem/quartic_energy.test.cpp
 struct TensorModel {
   ReducedBasis modes;         ///< Φ, then Φ'
   QuarticEnergy energy;       ///< E₄ - ½pᵀGp
