@@ -6,6 +6,7 @@
 #include "lib/csv/csv_output.hpp"
 #include "lib/law/impact_csv.hpp"
 #include "tools/support/shell_body.hpp"
+#include "tools/support/shell_picture.hpp"
 
 #include <fmt/format.h>
 
@@ -36,6 +37,8 @@ struct Request {
   bool summary = false;
   std::optional<std::string> contacts, points, statistics;
   std::vector<PanelFraction> probes;
+  std::optional<std::string> vtu;
+  std::size_t vtu_count = 10;
   std::string output;
 
   void declare(Command& command) {
@@ -74,10 +77,12 @@ struct Request {
     command.count("--update-vectors", options.update_vectors, 1, "how many are added each time");
     command.parsed<PanelFraction>("--probe", probes, parse_panel_fraction, "FX,FY",
                                   "point whose deflection and strains go to --points, as fractions of the sides");
-    command.text("--points", points, "FILE", "write deflection and strains of every --probe to FILE");
-    command.text("--contacts", contacts, "FILE", "write a row for every period of contact to FILE");
-    command.text("--statistics", statistics, "FILE",
-                 "write one row to FILE: unknowns, iterations, energy drift, unbalanced force, seconds");
+    command.output_file("--points", points, "write deflection and strains of every --probe to FILE");
+    command.output_file("--contacts", contacts, "write a row for every period of contact to FILE");
+    command.output_file("--statistics", statistics,
+                        "write one row to FILE: unknowns, iterations, energy drift, unbalanced force, seconds");
+    command.output_file("--vtu", vtu, "write the panel with its displacements to FILE (VTK)");
+    command.count("--vtu-count", vtu_count, 1, "at how many moments, equally spaced, the last one the end");
     command.flag("--summary", summary, "write one row about the impact instead of its history");
     command.output(output);
   }
@@ -102,6 +107,7 @@ struct Request {
                   "belongs to --update or --update-tolerance");
     if (points.has_value() != !probes.empty())
       throw UsageError(points ? "--points" : "--probe", "--probe says where, --points to which file; give both");
+    refuse_unless(vtu.has_value(), "--vtu-count", "goes with --vtu");
     if (rule == StepRule::wilson && reduced() && options.left_out == LeftOut::static_)
       throw UsageError("--rule", "wilson takes no static flexibility; add --left-out rigid");
     if (body.points().size() != 1) throw UsageError("--at", "an impact has one point");
@@ -209,6 +215,7 @@ int run(Request& request, const Command& command) {
   const double set_up = seconds() - start;
   ProbeRecord record(request, shell);
   record.add(0, panel);
+  ShellPicture picture(shell, request.vtu, request.vtu_count, grid);
   Progress progress("fe-shell");
   double unbalanced = 0, stepping = 0;
   const std::size_t every = std::max<std::size_t>(1, grid.size / 50);
@@ -218,15 +225,18 @@ int run(Request& request, const Command& command) {
       panel.advance();
       stepping += seconds() - before;
       record.add(panel.impact().time_s(), panel);
+      picture.add(k, panel);
       if (request.statistics && k % every == 0) unbalanced = std::max(unbalanced, panel.unbalanced_force());
       progress(static_cast<double>(k) / static_cast<double>(grid.size));
     }
   } catch (const ConvergenceError&) {
     write_impact(request, panel);  // what there is up to here
     record.write();
+    picture.write();
     throw;
   }
   record.write();
+  picture.write();
   if (request.statistics) write_statistics(*request.statistics, panel, unbalanced, set_up, stepping);
   write_impact(request, panel);
   return 0;
