@@ -72,8 +72,8 @@ void run_first_contact(const Request& request, const StruckBodies& bodies) {
     write_history(request.output, history);
 }
 
-ForceOutcome outcome_of(const ImpactSummary& line, std::vector<double> force_N) {
-  return {std::move(force_N), line.peak_force_N, line.contact_duration_s, line.impulse_Ns};
+ForceOutcome outcome_of(const ImpactSummary& line, std::vector<double> force_N, bool in_contact_at_end) {
+  return {std::move(force_N), line.peak_force_N, line.contact_duration_s, line.impulse_Ns, in_contact_at_end};
 }
 
 void run_draws(const Request& request, const StruckBodies& bodies, bool marched) {
@@ -85,7 +85,7 @@ void run_draws(const Request& request, const StruckBodies& bodies, bool marched)
           ImpactHistory history =
               solve_contact(drawn.response(0), drawn.response(1), {speed}, contact_method(request.method));
           const ImpactSummary line = summary(history, speed, std::nullopt);
-          return outcome_of(line, std::move(history.force_N));
+          return outcome_of(line, std::move(history.force_N), !history.separated);
         },
         request.summary, request.output);
     return;
@@ -96,7 +96,7 @@ void run_draws(const Request& request, const StruckBodies& bodies, bool marched)
       [&](const StruckBodies& drawn) {
         ContactsSolution solution = solve_contacts(drawn.contact_bodies(), drawn.grid(), problem);
         const ImpactSummary line = contacts_summary(solution.traces, drawn.grid(), {.speed_1_m_per_s = speed}).impact;
-        return outcome_of(line, std::move(solution.traces.front().force_N));
+        return outcome_of(line, std::move(solution.traces.front().force_N), solution.in_contact_at_end);
       },
       request.summary, request.output);
 }

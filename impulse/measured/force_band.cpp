@@ -91,6 +91,7 @@ ForceBand force_band(const BandOptions& options, const std::function<ForceOutcom
     return quantiles(std::move(values), options.confidence);
   };
   ForceBand band;
+  band.in_contact_at_end = static_cast<std::size_t>(std::ranges::count_if(outcomes, &ForceOutcome::in_contact_at_end));
   for (std::size_t n = 0; n < outcomes.front().force_N.size(); ++n)
     band.force_N.push_back(over_draws([n](const ForceOutcome& one) { return one.force_N[n]; }));
   band.peak_force_N = over_draws([](const ForceOutcome& one) { return one.peak_force_N; });

@@ -30,6 +30,7 @@ struct ForceOutcome {
   double peak_force_N = 0;
   double contact_duration_s = 0;
   double impulse_Ns = 0;
+  bool in_contact_at_end = false;  ///< the responses are too short for it: duration and impulse are what there is
 };
 
 struct Quantiles {
@@ -43,6 +44,7 @@ struct ForceBand {
   Quantiles peak_force_N;
   Quantiles contact_duration_s;
   Quantiles impulse_Ns;
+  std::size_t in_contact_at_end = 0;  ///< how many draws are
 };
 
 struct BandOptions {

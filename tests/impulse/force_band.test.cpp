@@ -68,6 +68,14 @@ TEST_CASE("force_band: a seed gives the same band, another one another; a confid
   CHECK(draw(1, 0.5).upper < draw(1, 0.95).upper);
 }
 
+TEST_CASE("force_band: draws that end in contact are counted") {
+  std::atomic<int> count = 0;
+  const ForceBand band = force_band({.draws = 41}, [&](std::mt19937_64&) {
+    return ForceOutcome{{1, 2}, 2, 1, 1, ++count <= 7};
+  });
+  CHECK(band.in_contact_at_end == 7);
+}
+
 TEST_CASE("force_band: an exception of either thread reaches the caller") {
   for (int wanted : {0, 1}) {
     std::atomic<int> count = 0;

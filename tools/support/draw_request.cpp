@@ -3,6 +3,10 @@
 #include "lib/contract/errors.hpp"
 #include "lib/csv/csv_output.hpp"
 
+#include <fmt/format.h>
+
+#include <cstdio>
+
 namespace impulse {
 namespace {
 
@@ -61,6 +65,12 @@ void DrawRequest::run(const StruckBodies& bodies, const std::function<ForceOutco
   BandOptions options = options_;
   options.draws = *draws_;
   const ForceBand band = force_band(options, [&](std::mt19937_64& engine) { return outcome(bodies.drawn(engine)); });
+  if (band.in_contact_at_end > 0 || estimate.in_contact_at_end)
+    fmt::print(stderr,
+               "ir-impact: the responses end during contact, after {:g} s, in {} of {} draws{}; compute them with a "
+               "longer --duration\n",
+               bodies.grid().duration_s(), band.in_contact_at_end, options.draws,
+               estimate.in_contact_at_end ? " and by the estimate" : "");
   if (summary)
     write_quantities(output, estimate, band);
   else

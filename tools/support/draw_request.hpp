@@ -19,6 +19,7 @@ class DrawRequest {
   [[nodiscard]] bool asked() const { return draws_.has_value(); }
 
   /// Draws the bodies, lets `outcome` find the force of each, and writes its best estimate with the band.
+  /// Says on stderr in how many draws the responses end during contact.
   /// @throws UsageError unless a response has an uncertainty and there is one contact.
   void run(const StruckBodies& bodies, const std::function<ForceOutcome(const StruckBodies&)>& outcome, bool summary,
            const std::string& output) const;
