@@ -57,7 +57,8 @@ struct ResponseEstimate {
 /// the kernel too, from which it is divided out again: it adds no damping. A response ends where the last force window
 /// would leave it undetermined.
 /// @throws std::invalid_argument if no blow is left, saying why each was left out, or if options contradict each other;
-/// ConvergenceError. Verified by: tests/impulse/response_estimate.test.cpp
+/// ConvergenceError. Verified by: tests/impulse/response_estimate.test.cpp,
+/// tests/impulse/response_coverage.test.cpp
 [[nodiscard]] ResponseEstimate estimated_response(const std::vector<Blow>& blows, double step_s,
                                                   const EstimateOptions& options);
 
