@@ -219,7 +219,7 @@ void run_contacts(const Request& request, const ExplicitContacts& contacts, cons
 }
 
 int run(const Request& request, const Command& command) {
-  require_apart(request.contacts, request.output);
+  require_apart("--contacts", request.contacts, request.output);
   const std::vector<DescribedBody> bodies = read_bodies(request);
   const std::size_t count = bodies.size() == 2 ? bodies[0].contact_count : bodies.size() - 1;
   (void)grid_over(request.impact.duration_s, request.impact.step_s);  // refuses too many samples before they cost time
@@ -251,7 +251,10 @@ int main(int argc, char** argv) {
            ". Two bodies may touch at several points (face = \"A,B\"); --between makes a row. With a law, a gap, a "
            "--speed-2, --recontact or --contacts, or several contacts, the record has the columns of ir-impact's. A "
            "rigid contact that closes or opens within a step does so at the nearest sample, order 1 in the step; where "
-           "that matters, take a stiff linear law, of order 2. A body given by its modes gives way by what they leave "
+           "that matters, take a stiff linear law, of order 2. Against a solid a rigid contact's force swings from "
+           "step to "
+           "step, the more the further the step is below its limit; take the longest step, or a law. A body given by "
+           "its modes gives way by what they leave "
            "out, in series with the law; a rigid contact then is that spring. Shares no code with the impulse-response "
            "method.",
        "printf 'body = \"bar\"\\nsegment = [\"0.5m,10mm,steel\"]\\nface = \"A\"\\n' > rod.toml\n"

@@ -31,7 +31,7 @@ struct Request {
   }
 
   void require_consistent(const Command& command) const {
-    motion.require_consistent(command, body.point_count());
+    motion.require_consistent(command, body.point_count(), modal.output());
     if (motion.under_force()) return;
     modal.require_consistent(command);
     if (body.point_count() == 0 && !modal.wants_modes())

@@ -8,6 +8,7 @@
 #include "lib/model/modal_model.hpp"
 #include "lib/vtu/vtu_file.hpp"
 #include "tools/support/solid_options.hpp"
+#include "tools/support/two_outputs.hpp"
 
 #include <fmt/format.h>
 
@@ -77,6 +78,7 @@ struct Request {
     }
     if (route == Route::steps && command.given("--modes")) throw UsageError("--modes", "is for --response modes");
     if (command.given("--vtu-count") && !vtu) throw UsageError("--vtu-count", "goes with --vtu");
+    require_apart("--vtu", vtu, output);
   }
 
   /// The flexibility that modes leave out couples neighbouring nodes at once, which no solver of contacts takes.
@@ -172,17 +174,15 @@ Route chosen_route(const Request& request, const Command& command, const Uniform
   if (request.substeps) return Route::steps;
   if (command.given("--modes")) return Route::modes;
   const std::size_t solutions = (grid.size - 1) * substeps * request.body.face_count();
-  const auto say = [](const char* route, const std::string& why) {
-    fmt::print(stderr, "ir-solid: response by {} ({}); --response chooses\n", route, why);
-  };
   if (request.body.contact() == CircleContact::nodes || request.observed_node) {
-    say("steps", "single nodes need it");
+    fmt::print(stderr, "ir-solid: response by steps (single nodes need it)\n");
     return Route::steps;
   }
   const std::size_t modal = solutions_per_mode * request.modes;
   const bool by_steps = solutions < modal;
-  say(by_steps ? "steps" : "modes", fmt::format("{} steps against {} modes, each worth about {} steps", solutions,
-                                                request.modes, solutions_per_mode));
+  fmt::print(stderr,
+             "ir-solid: response by {} ({} steps against {} modes, each worth about {} steps); --response chooses\n",
+             by_steps ? "steps" : "modes", solutions, request.modes, solutions_per_mode);
   return by_steps ? Route::steps : Route::modes;
 }
 

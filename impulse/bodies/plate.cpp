@@ -2,7 +2,9 @@
 
 #include "lib/contract/require.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace impulse {
 namespace {
@@ -26,6 +28,11 @@ EdgeSupport edge_support(char letter, const std::string& letters) {
     default:
       throw std::invalid_argument(fmt::format("edges '{}': '{}' is none of C, F, I, H, S, T, W", letters, letter));
   }
+}
+
+double length_along_y(const PlateShape& shape) {
+  const auto [least, most] = std::ranges::minmax(shape.corners, {}, [](const Eigen::Vector2d& c) { return c.y(); });
+  return most.y() - least.y();
 }
 
 }  // namespace
@@ -53,6 +60,11 @@ void require_valid(const Plate& plate) {
   require(std::isfinite(plate.shear_correction) && plate.shear_correction > 0,
           "the shear correction factor {} is not positive and finite", plate.shear_correction);
   require(std::isfinite(plate.curvature_per_m), "the curvature {} 1/m is not finite", plate.curvature_per_m);
+  const double turn = std::abs(plate.curvature_per_m) * length_along_y(plate.shape);
+  require(turn < 2 * std::numbers::pi,
+          "a panel of {:.4g} m along y goes round its radius of {:.4g} m once or more; use more than {:.4g} m",
+          length_along_y(plate.shape), 1 / std::abs(plate.curvature_per_m),
+          length_along_y(plate.shape) / (2 * std::numbers::pi));
   for (std::size_t i = 0; i < 4; ++i) {
     const EdgeSprings& s = plate.springs[i];
     for (const double k : {s.deflection_N_per_m2, s.normal_displacement_N_per_m2, s.tangential_displacement_N_per_m2,

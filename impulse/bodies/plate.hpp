@@ -62,7 +62,8 @@ struct Plate {
 /// or (`shear`) I₁ or by curvature.
 [[nodiscard]] bool moves_in_plane(const Plate& plate);
 
-/// @throws std::invalid_argument for a shape, a laminate, a shear correction or springs that are not valid.
+/// @throws std::invalid_argument for a shape, a laminate, a shear correction or springs that are not valid, and for a
+/// panel that its curvature would lead round once or more.
 void require_valid(const Plate& plate);
 
 }  // namespace impulse

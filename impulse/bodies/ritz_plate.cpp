@@ -272,7 +272,8 @@ Eigen::VectorXd RitzPlate::mean_deflection(const Eigen::Vector2d& reference, dou
   require(std::isfinite(radius_m) && radius_m > 0, "the radius {} m of a patch is not positive and finite", radius_m);
   const Eigen::Vector2d centre = plate_.shape.position(reference);
   const double room = plate_.shape.distance_to_boundary(centre);
-  require(radius_m <= room, "a patch of radius {} m about x = {} m, y = {} m leaves the plate (an edge is {} m away)",
+  require(radius_m <= room,
+          "a patch of radius {:.4g} m about x = {:.4g} m, y = {:.4g} m leaves the plate (an edge is {:.4g} m away)",
           radius_m, centre.x(), centre.y(), room);
   // A polynomial of degree 2(n - 1) in x and y is integrated exactly by n points along the radius, of weight r, and 2n
   // round the disc; the inverse of a bilinear map is so smooth over a disc inside that the same rule will do.

@@ -250,6 +250,8 @@ TEST_CASE("plates refuse what makes no sense") {
   };
   refused([](Plate& p) { p.shear_correction = 0; }, "the shear correction factor 0 is not positive and finite");
   refused([](Plate& p) { p.curvature_per_m = NAN; }, "the curvature nan 1/m is not finite");
+  refused([](Plate& p) { p.curvature_per_m = -10; },
+          "a panel of 1 m along y goes round its radius of 0.1 m once or more; use more than 0.1592 m");
   refused([](Plate& p) { p.springs[2].normal_rotation_N = -1; }, "a spring of edge 3 has the stiffness -1");
   refused([](Plate& p) { p.laminate = {}; }, "give it a laminate");
   refused([](Plate& p) { p.shape.corners[2] = {0.2, 0.2}; }, "makes the plate concave");

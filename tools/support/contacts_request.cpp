@@ -98,7 +98,7 @@ std::vector<BodyEnergy> ContactsRequest::energies(const StruckBodies& bodies, do
 
 void ContactsRequest::run(const StruckBodies& bodies, double speed_m_per_s, bool summary,
                           const std::string& output) const {
-  require_apart(contacts_, output);
+  require_apart("--contacts", contacts_, output);
   ContactsProblem asked = problem(bodies, speed_m_per_s);
   const ContactsSolution solution = [&] {
     Progress progress("ir-impact");

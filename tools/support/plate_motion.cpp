@@ -4,6 +4,7 @@
 #include "lib/contract/errors.hpp"
 #include "lib/csv/csv_output.hpp"
 #include "lib/csv/csv_table.hpp"
+#include "tools/support/two_outputs.hpp"
 
 #include <fmt/format.h>
 
@@ -43,7 +44,8 @@ void PlateMotion::declare(Command& command) {
   command.count("--grid", grid_, 2, "points a side of the field or the shapes");
 }
 
-void PlateMotion::require_consistent(const Command& command, std::size_t point_count) const {
+void PlateMotion::require_consistent(const Command& command, std::size_t point_count, const std::string& output) const {
+  require_apart("--shapes", shapes_, output);
   if (!force_) {
     for (const char* flag : {"--output-at", "--field-times"})
       if (command.given(flag)) throw UsageError(flag, "is for the motion under a force; add --under FILE");

@@ -18,7 +18,7 @@ class PlateMotion {
   void declare(Command& command);
 
   /// @throws UsageError for options that do not go together.
-  void require_consistent(const Command& command, std::size_t point_count) const;
+  void require_consistent(const Command& command, std::size_t point_count, const std::string& output) const;
 
   [[nodiscard]] bool under_force() const { return force_.has_value(); }
   [[nodiscard]] bool wants_shapes() const { return shapes_.has_value(); }

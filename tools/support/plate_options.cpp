@@ -8,26 +8,35 @@
 
 #include <array>
 #include <cmath>
-#include <utility>
 
 namespace impulse {
 namespace {
 
-constexpr std::array<std::pair<const char*, double EdgeSprings::*>, 5> spring_columns{{
-    {"deflection_N_per_m2", &EdgeSprings::deflection_N_per_m2},
-    {"normal_displacement_N_per_m2", &EdgeSprings::normal_displacement_N_per_m2},
-    {"tangential_displacement_N_per_m2", &EdgeSprings::tangential_displacement_N_per_m2},
-    {"normal_rotation_N", &EdgeSprings::normal_rotation_N},
-    {"tangential_rotation_N", &EdgeSprings::tangential_rotation_N},
+struct SpringColumn {
+  const char* name;
+  double EdgeSprings::*stiffness;
+  bool EdgeSupport::*held;
+  const char* motion;
+};
+
+constexpr std::array<SpringColumn, 5> spring_columns{{
+    {"deflection_N_per_m2", &EdgeSprings::deflection_N_per_m2, &EdgeSupport::deflection, "deflection"},
+    {"normal_displacement_N_per_m2", &EdgeSprings::normal_displacement_N_per_m2, &EdgeSupport::normal_displacement,
+     "normal displacement"},
+    {"tangential_displacement_N_per_m2", &EdgeSprings::tangential_displacement_N_per_m2,
+     &EdgeSupport::tangential_displacement, "tangential displacement"},
+    {"normal_rotation_N", &EdgeSprings::normal_rotation_N, &EdgeSupport::normal_rotation, "normal rotation"},
+    {"tangential_rotation_N", &EdgeSprings::tangential_rotation_N, &EdgeSupport::tangential_rotation,
+     "tangential rotation"},
 }};
 
 void require_known_columns(const CsvTable& table) {
   bool any = false;
   for (const std::string& name : table.names()) {
     bool known = name == "edge";
-    for (const auto& [column, spring] : spring_columns) {
-      known = known || name == column;
-      any = any || name == column;
+    for (const SpringColumn& column : spring_columns) {
+      known = known || name == column.name;
+      any = any || name == column.name;
     }
     if (!known)
       throw InputError(table.file(), 1, table.field(name),
@@ -38,7 +47,7 @@ void require_known_columns(const CsvTable& table) {
   if (!any) throw InputError(table.file(), 1, 0, "no column of springs, deflection_N_per_m2 say");
 }
 
-std::array<EdgeSprings, 4> read_springs(const std::string& path) {
+std::array<EdgeSprings, 4> read_springs(const std::string& path, const std::array<EdgeSupport, 4>& supports) {
   const CsvTable table = read_csv(path);
   require_known_columns(table);
   std::array<EdgeSprings, 4> springs{};
@@ -47,13 +56,18 @@ std::array<EdgeSprings, 4> read_springs(const std::string& path) {
     if (!(edges[row] == 1 || edges[row] == 2 || edges[row] == 3 || edges[row] == 4))
       throw InputError(table.file(), table.line(row), table.field("edge"),
                        fmt::format("edge {} is none of 1, 2, 3, 4", edges[row]));
-    for (const auto& [column, spring] : spring_columns) {
-      if (!table.has(column)) continue;
-      const double stiffness = table.column(column)[row];
-      if (stiffness < 0)
-        throw InputError(table.file(), table.line(row), table.field(column),
-                         fmt::format("the stiffness {} is negative", stiffness));
-      springs[static_cast<std::size_t>(edges[row]) - 1].*spring += stiffness;
+    const std::size_t edge = static_cast<std::size_t>(edges[row]) - 1;
+    for (const SpringColumn& column : spring_columns) {
+      if (!table.has(column.name)) continue;
+      const double stiffness = table.column(column.name)[row];
+      const auto refuse = [&](const std::string& why) {
+        throw InputError(table.file(), table.line(row), table.field(column.name), why);
+      };
+      if (stiffness < 0) refuse(fmt::format("the stiffness {} is negative", stiffness));
+      if (stiffness > 0 && supports[edge].*column.held)
+        refuse(fmt::format("a spring does nothing where --edges hold the {} of edge {}; give it 0, or another letter",
+                           column.motion, edge + 1));
+      springs[edge].*column.stiffness += stiffness;
     }
   }
   return springs;
@@ -129,7 +143,7 @@ RitzPlate PlateOptions::plate() const {
   plate.shape = shape();
   plate.laminate = laminate_.laminate();
   plate.edges = blamed_on("--edges", [&] { return parse_plate_edges(edges_); });
-  if (edge_springs_) plate.springs = read_springs(*edge_springs_);
+  if (edge_springs_) plate.springs = read_springs(*edge_springs_, plate.edges);
   plate.theory = theory_;
   plate.in_plane = in_plane_;
   if (shear_correction_) {
@@ -140,6 +154,7 @@ RitzPlate PlateOptions::plate() const {
   if (curvature_radius_m_) {
     if (*curvature_radius_m_ == 0) throw UsageError("--curvature-radius", "is 0; leave it out for a flat plate");
     plate.curvature_per_m = 1 / *curvature_radius_m_;
+    blamed_on("--curvature-radius", [&] { require_valid(plate); });
   }
   return blamed_on("--terms", [&] { return RitzPlate(plate, terms_); });
 }

@@ -7,12 +7,13 @@
 
 namespace impulse {
 
-/// Refuses --contacts where the history or summary goes too: one would overwrite the other, or both mix on stdout.
-/// @throws UsageError
-inline void require_apart(const std::optional<std::string>& contacts, const std::string& output) {
+/// Refuses a second output of a tool, `flag`, where --output goes too: one would overwrite the other, or both mix on
+/// stdout.
+/// @throws UsageError naming the flag. Verified by: tests/tools/ir-plate/wrong-options
+inline void require_apart(const char* flag, const std::optional<std::string>& second, const std::string& output) {
   const auto standard = [](const std::string& path) { return path.empty() || path == "-"; };
-  if (contacts && (*contacts == output || (standard(*contacts) && standard(output))))
-    throw UsageError("--contacts", "goes where the output goes (-o); give one of them a file of its own");
+  if (second && (*second == output || (standard(*second) && standard(output))))
+    throw UsageError(flag, "goes where the output goes (-o); give one of them a file of its own");
 }
 
 }  // namespace impulse
