@@ -142,7 +142,7 @@ class ProbeRecord {
     std::vector<CsvField> row{time_s};
     for (const PanelPoint& point : points_) {
       row.emplace_back(shell_.normal(point).dot(shell_.displacement(q, point)));
-      const ShellStrain strain = shell_.strain(q, point);
+      const ShellStrain strain = request_.linear ? shell_.small_strain(q, point) : shell_.strain(q, point);
       for (const double z : {-half, half})
         for (int k = 0; k < 3; ++k) row.emplace_back(strain.membrane(k) + z * strain.curvature(k));
     }

@@ -159,6 +159,11 @@ ShellStrain Shell::strain(const Eigen::VectorXd& z, const PanelPoint& point) con
   return {geometry.to_axes * strain.head<3>(), geometry.to_axes * strain.tail<3>()};
 }
 
+ShellStrain Shell::small_strain(const Eigen::VectorXd& z, const PanelPoint& point) const {
+  const ShellStrain there = strain(z, point), back = strain(-z, point);
+  return {(there.membrane - back.membrane) / 2, (there.curvature - back.curvature) / 2};
+}
+
 double Shell::area_m2() const {
   double area = 0;
   for (std::size_t k = 0; k < points_.size(); ++k) area += shell_gauss_weight(k % shell_gauss_points) * points_[k].area;

@@ -75,6 +75,9 @@ class Shell {
 
   [[nodiscard]] ShellStrain strain(const Eigen::VectorXd& z, const PanelPoint& point) const;
 
+  /// Its part linear in z, (ε(z) - ε(-z))/2: what the theory of small displacements calls the strain.
+  [[nodiscard]] ShellStrain small_strain(const Eigen::VectorXd& z, const PanelPoint& point) const;
+
   /// Of the stress-free surface.
   [[nodiscard]] double area_m2() const;
 

@@ -2,6 +2,7 @@
 
 #include "fem/bodies/bar_structure.hpp"
 #include "tests/support/bars.hpp"
+#include "tests/support/oscillator.hpp"
 
 #include <doctest/doctest.h>
 
@@ -14,17 +15,7 @@
 namespace impulse {
 namespace {
 
-/// One mass on a spring, and perhaps a dashpot.
-Structure oscillator(double stiffness, double mass, double dashpot = 0) {
-  Structure body;
-  body.stiffness.resize(1, 1);
-  body.stiffness.insert(0, 0) = stiffness;
-  body.mass.resize(1, 1);
-  body.mass.insert(0, 0) = mass;
-  if (dashpot > 0) body.dashpots = Eigen::VectorXd::Constant(1, dashpot);
-  body.contacts = Eigen::MatrixXd::Ones(1, 1);
-  return body;
-}
+using test::oscillator;
 
 double highest_frequency(const Structure& body) {
   const Eigen::GeneralizedSelfAdjointEigenSolver<Eigen::MatrixXd> solver(Eigen::MatrixXd(body.stiffness),

@@ -2,6 +2,7 @@
 
 #include "fem/bodies/bar_structure.hpp"
 #include "lib/contract/errors.hpp"
+#include "tests/support/oscillator.hpp"
 
 #include <doctest/doctest.h>
 
@@ -12,16 +13,7 @@
 namespace impulse {
 namespace {
 
-Structure oscillator(double stiffness, double mass, double dashpot = 0) {
-  Structure body;
-  body.stiffness.resize(1, 1);
-  body.stiffness.insert(0, 0) = stiffness;
-  body.mass.resize(1, 1);
-  body.mass.insert(0, 0) = mass;
-  if (dashpot > 0) body.dashpots = Eigen::VectorXd::Constant(1, dashpot);
-  body.contacts = Eigen::MatrixXd::Ones(1, 1);
-  return body;
-}
+using test::oscillator;
 
 const Eigen::VectorXd one = Eigen::VectorXd::Ones(1), none = Eigen::VectorXd::Zero(1);
 
