@@ -79,8 +79,7 @@ TEST_CASE("twenty Ritz vectors or sixty modes with what they leave out give the 
   }
 }
 
-TEST_CASE("tensors follow the nonlinear mesh within one percent, curved and half as thick" *
-          doctest::test_suite("slow")) {
+TEST_CASE("tensors follow the nonlinear mesh within one percent, curved and half as thick") {
   for (const double thickness : {2.69e-3, 1.345e-3})
     for (const double ratio : {4000.0, 250.0, -250.0}) {
       const TwentyPly panel(thickness, ratio);

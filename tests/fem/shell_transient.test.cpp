@@ -85,8 +85,7 @@ double clamped_peak(const std::string& layup, double pressure_Pa, Geometry geome
   return largest / h;
 }
 
-TEST_CASE("clamped laminates under a step of pressure: largest deflections, linear and nonlinear" *
-          doctest::test_suite("slow")) {
+TEST_CASE("clamped laminates under a step of pressure: largest deflections, linear and nonlinear") {
   struct Row {
     const char* layup;
     double linear, small, large;  // w/h at 10 kPa linear and nonlinear, at 100 kPa nonlinear

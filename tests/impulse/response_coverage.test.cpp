@@ -102,7 +102,7 @@ structures::HammerTest short_test(double noise_dB) {
 // next (by 0.2 for U): its mean is what is 95 %. Blows of unequal strength whose noise is a fraction of it leave 94.4 %
 // of that (docs/decisions/0014), regularisation the 93.2 to 94.9 % here (docs/decisions/0015).
 TEST_SUITE("slow") {
-  TEST_CASE("response_coverage: beam and plate at 40 and 20 dB, 93 to 97 % of the samples within the 95 % band") {
+  TEST_CASE("response_coverage: beam and plate at 40 and 20 dB have 93 to 97 % of the samples within the 95 % band") {
     for (const double noise_dB : {40.0, 20.0})
       for (const ModalModel& model : {structures::beam(), structures::plate()}) {
         CAPTURE(noise_dB);
@@ -118,7 +118,7 @@ TEST_SUITE("slow") {
 
   // A rod's G is pulses and its H steps: most of either lies above the hammer's band, where regularisation takes it
   // away and nothing in the spread of the blows tells (G: 0.86 and 0.57 of the samples within the band).
-  TEST_CASE("response_coverage: a rod at 40 and 20 dB, 93 to 97 % of the samples of H in the excited band") {
+  TEST_CASE("response_coverage: a rod at 40 and 20 dB has 93 to 97 % of the samples of H in the excited band") {
     for (const double noise_dB : {40.0, 20.0}) {
       CAPTURE(noise_dB);
       const structures::HammerTest hammer = short_test(noise_dB);
