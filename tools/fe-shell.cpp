@@ -1,3 +1,4 @@
+#include "fem/reduced_basis/nonlinear_cost.hpp"
 #include "fem/reduced_basis/panel_impact.hpp"
 #include "lib/cli/law_options.hpp"
 #include "lib/cli/progress.hpp"
@@ -5,6 +6,7 @@
 #include "lib/contract/errors.hpp"
 #include "lib/csv/csv_output.hpp"
 #include "lib/law/impact_csv.hpp"
+#include "lib/law/indentation_time.hpp"
 #include "tools/support/shell_body.hpp"
 #include "tools/support/shell_picture.hpp"
 
@@ -22,7 +24,7 @@ namespace {
 
 using namespace impulse;
 
-enum class Method { newmark, conserving, wilson, modes, ritz, tensor };
+enum class Method { newmark, conserving, wilson, modes, ritz, tensor, reduced };
 
 struct Request {
   ShellOptions body;
@@ -54,19 +56,22 @@ struct Request {
                             {"wilson", Method::wilson},
                             {"modes", Method::modes},
                             {"ritz", Method::ritz},
-                            {"tensor", Method::tensor}},
+                            {"tensor", Method::tensor},
+                            {"reduced", Method::reduced}},
                            "the whole mesh by one of three rules, or its motion in a basis: modes of vibration, Ritz "
-                           "vectors of the contact force, or modes with tensors for the nonlinearity");
+                           "vectors of the contact force, or modes with tensors for the nonlinearity; reduced: modes "
+                           "with tensors or with the mesh evaluated, whichever is cheaper, and says which");
     command.choice<StepRule>(
         "--rule", rule,
         {{"newmark", StepRule::newmark}, {"conserving", StepRule::conserving}, {"wilson", StepRule::wilson}},
-        "step of modes, ritz and tensor");
+        "step of what is in a basis");
     command.flag("--linear", linear, "small displacements of the panel");
-    command.count("--vectors", options.vectors, 1, "of modes, ritz and tensor");
+    command.count("--vectors", options.vectors, 1, "of a basis");
     command.choice<ModeKind>("--modes", options.modes, {{"any", ModeKind::any}, {"flexural", ModeKind::flexural}},
                              "which modes, the lowest first: any, or those that move mostly along the normal");
     command.count("--nonlinear-vectors", options.nonlinear_vectors, 1,
-                  "of tensor: how many of the modes have finite amplitudes, the lowest of those that the force moves; "
+                  "of tensor and reduced: how many of the modes have finite amplitudes, the lowest of those that the "
+                  "force moves; "
                   "at most 40");
     command.choice<LeftOut>("--left-out", options.left_out, {{"static", LeftOut::static_}, {"rigid", LeftOut::rigid}},
                             "whether what the vectors leave out yields statically under the contact force");
@@ -88,7 +93,7 @@ struct Request {
   }
 
   [[nodiscard]] bool reduced() const {
-    return method == Method::modes || method == Method::ritz || method == Method::tensor;
+    return method != Method::newmark && method != Method::conserving && method != Method::wilson;
   }
 
   void require_consistent(const Command& command) const {
@@ -96,13 +101,15 @@ struct Request {
       if (!applies && command.given(flag)) throw UsageError(flag, where);
     };
     for (const char* flag : {"--vectors", "--rule", "--left-out"})
-      refuse_unless(reduced(), flag, "belongs to --method modes, ritz or tensor");
-    refuse_unless(method == Method::modes || method == Method::tensor, "--modes",
-                  "belongs to --method modes or tensor");
-    refuse_unless(method == Method::tensor && !linear, "--nonlinear-vectors",
-                  "belongs to --method tensor without --linear");
+      refuse_unless(reduced(), flag, "belongs to --method modes, ritz, tensor or reduced");
+    refuse_unless(reduced() && method != Method::ritz, "--modes", "belongs to --method modes, tensor or reduced");
+    refuse_unless((method == Method::tensor || method == Method::reduced) && !linear, "--nonlinear-vectors",
+                  "belongs to --method tensor or reduced without --linear");
+    refuse_unless(options.nonlinear_vectors <= options.vectors, "--nonlinear-vectors", "more than there are --vectors");
     for (const char* flag : {"--update", "--update-tolerance"})
       refuse_unless(method == Method::ritz, flag, "belongs to --method ritz");
+    for (const double time : options.update_s)
+      refuse_unless(time < duration_s, "--update", "is after the end, --duration");
     refuse_unless(command.given("--update") || command.given("--update-tolerance"), "--update-vectors",
                   "belongs to --update or --update-tolerance");
     if (points.has_value() != !probes.empty())
@@ -115,15 +122,28 @@ struct Request {
 
   /// The options of the parts that follow from --method.
   void settle() {
-    static constexpr PanelMethod methods[6] = {PanelMethod::full,  PanelMethod::full, PanelMethod::full,
-                                               PanelMethod::modes, PanelMethod::ritz, PanelMethod::tensor};
+    static constexpr PanelMethod methods[7] = {PanelMethod::full,  PanelMethod::full, PanelMethod::full,
+                                               PanelMethod::modes, PanelMethod::ritz, PanelMethod::tensor,
+                                               PanelMethod::tensor};
     static constexpr StepRule rules[3] = {StepRule::newmark, StepRule::conserving, StepRule::wilson};
     options.method = methods[static_cast<std::size_t>(method)];
     setup.rule = reduced() ? rule : rules[static_cast<std::size_t>(method)];
     options.geometry = linear ? Geometry::linear : Geometry::nonlinear;
     if (update_tolerance) options.update_tolerance = *update_tolerance;
+    if (method == Method::reduced && linear) options.method = PanelMethod::modes;
     if (options.method == PanelMethod::tensor)
       options.nonlinear_vectors = std::min(options.nonlinear_vectors, options.vectors);
+  }
+
+  /// Of --method reduced: tensors or the mesh.
+  void choose_evaluation(std::size_t elements) {
+    if (linear) return;
+    const NonlinearCost cost = nonlinear_cost(options.nonlinear_vectors, elements);
+    const bool tensors = cost.tensors < cost.mesh;
+    if (!tensors) options.method = PanelMethod::modes;
+    fmt::print(stderr,
+               "fe-shell: nonlinear forces by {}: tensors of {} vectors cost {:.2g} of evaluating {} elements\n",
+               tensors ? "tensors" : "the mesh", options.nonlinear_vectors, cost.tensors / cost.mesh, elements);
   }
 };
 
@@ -182,11 +202,14 @@ void write_statistics(const std::string& path, const PanelImpact& run, double un
   csv.close();
 }
 
-void write_impact(const Request& request, const PanelImpact& run) {
+/// Whether the record goes on to the time that was asked for.
+enum class Ending { reached, broken_off };
+
+void write_impact(const Request& request, const PanelImpact& run, Ending ending) {
   const ContactTrace& trace = run.impact().trace();
   if (trace.force_N.size() < 2) return;
   const UniformGrid grid{request.setup.step_s, trace.force_N.size()};
-  if (trace.in_contact.back())
+  if (ending == Ending::reached && trace.in_contact.back())
     fmt::print(stderr, "fe-shell: the record ends during contact, after {:g} s; use a longer --duration\n",
                grid.duration_s());
   if (request.contacts) write_intervals(*request.contacts, grid, {trace});
@@ -208,8 +231,16 @@ int run(Request& request, const Command& command) {
   const UniformGrid grid = grid_over(request.duration_s, request.setup.step_s);
   const ContactLaw law = request.law.laws(1).front();
   if (law.is_rigid()) throw UsageError("--law", "a striker on a panel needs a law that yields; give --law hertz");
+  const double time = indentation_time_s(law, request.setup.striker_mass_kg, request.setup.speed_m_per_s);
+  if (request.setup.step_s > time)
+    throw UsageError(
+        "--step",
+        fmt::format(
+            "{:g} s is too long for the law, whose force a rigid wall would raise in {:.2g} s; use {:.2g} s or less",
+            request.setup.step_s, time, time / 10));
   const double start = seconds();
   const Shell shell(request.body.panel());
+  if (request.method == Method::reduced) request.choose_evaluation(shell.elements().size());
   const Structure structure = shell_structure(shell, request.body.points());
   PanelImpact panel(shell, structure, law, request.setup, request.options);
   const double set_up = seconds() - start;
@@ -230,7 +261,7 @@ int run(Request& request, const Command& command) {
       progress(static_cast<double>(k) / static_cast<double>(grid.size));
     }
   } catch (const ConvergenceError&) {
-    write_impact(request, panel);  // what there is up to here
+    write_impact(request, panel, Ending::broken_off);  // what there is up to here
     record.write();
     picture.write();
     throw;
@@ -238,7 +269,7 @@ int run(Request& request, const Command& command) {
   record.write();
   picture.write();
   if (request.statistics) write_statistics(*request.statistics, panel, unbalanced, set_up, stepping);
-  write_impact(request, panel);
+  write_impact(request, panel, Ending::reached);
   return 0;
 }
 

@@ -59,6 +59,8 @@ Factor half_waves(double x, double length, int count) {
   return {std::sin(k * x), k * std::cos(k * x)};
 }
 
+Factor squared(const Factor& f) { return {f.value * f.value, 2 * f.value * f.slope}; }
+
 Factor power(double x, double length, int p) {
   const double t = x / length;
   return {std::pow(t, p), p == 0 ? 0 : p * std::pow(t, p - 1) / length};
@@ -103,6 +105,9 @@ HermiteNode mid_surface(const PanelShape& shape, double x, double y) {
   for (const Imperfection::Wave& wave : shape.imperfection.waves)
     node.row(2) +=
         wave.amplitude_m * product(half_waves(x, shape.length_m, wave.m), half_waves(y, shape.width_m, wave.n));
+  for (const Imperfection::Wave& wave : shape.imperfection.squared_waves)
+    node.row(2) += wave.amplitude_m * product(squared(half_waves(x, shape.length_m, wave.m)),
+                                              squared(half_waves(y, shape.width_m, wave.n)));
   for (const Imperfection::Power& term : shape.imperfection.powers)
     node.row(2) += term.coefficient_m * product(power(x, shape.length_m, term.p), power(y, shape.width_m, term.q));
   return node;

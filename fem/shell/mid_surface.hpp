@@ -18,7 +18,9 @@ enum class Curvature {
 
 /// Stress-free departure of the mid-surface from its ideal shape, along z:
 ///
-///   v_z = Σ A sin(mπx/a) sin(nπy/b) + Σ C (x/a)^p (y/b)^q
+///   v_z = Σ A sin(mπx/a) sin(nπy/b) + Σ A sin²(mπx/a) sin²(nπy/b) + Σ C (x/a)^p (y/b)^q
+///
+/// The squares are level at the edges, as what a clamped panel is pressed into.
 struct Imperfection {
   struct Wave {
     double amplitude_m = 0;
@@ -31,6 +33,7 @@ struct Imperfection {
     int q = 0;  ///< ≥ 0
   };
   std::vector<Wave> waves;
+  std::vector<Wave> squared_waves;
   std::vector<Power> powers;
 };
 

@@ -56,6 +56,13 @@ void require_valid(const ShellPanel& panel) {
   require_lines(panel.lines_x, panel.shape.length_m, 'x');
   require_lines(panel.lines_y, panel.shape.width_m, 'y');
   require(panel.laminate.thickness_m > 0, "the laminate's thickness {} m is not positive", panel.laminate.thickness_m);
+  const double shorter = std::fmin(panel.shape.length_m, panel.shape.width_m);
+  require(panel.laminate.thickness_m < shorter,
+          "the laminate is {:.4g} m thick, the panel only {:.4g} m wide; a thin shell is wider than thick",
+          panel.laminate.thickness_m, shorter);
+  require(panel.shape.curvature == Curvature::flat || panel.laminate.thickness_m < std::abs(panel.shape.radius_m),
+          "the laminate is {:.4g} m thick and the radius of curvature {:.4g} m; a thin shell has the larger radius",
+          panel.laminate.thickness_m, std::abs(panel.shape.radius_m));
   require(panel.laminate.mass_kg_per_m2 > 0, "the laminate's mass {} kg/m² is not positive",
           panel.laminate.mass_kg_per_m2);
 }

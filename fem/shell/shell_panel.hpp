@@ -38,7 +38,7 @@ struct ShellPanel {
 };
 
 /// @throws std::invalid_argument if the shape is not valid, the lines don't rise from 0 to the side's length, or the
-/// laminate has no thickness or mass.
+/// laminate has no thickness or mass or is no thin shell's: thicker than a side or the radius of curvature.
 void require_valid(const ShellPanel& panel);
 
 }  // namespace impulse

@@ -30,6 +30,7 @@ TEST_CASE("points of a curved panel are at the radius from its centre, x and y a
 TEST_CASE("derivatives are those of the place, imperfections included") {
   PanelShape shape{.length_m = 0.4, .width_m = 0.3, .curvature = Curvature::both, .radius_m = 0.5};
   shape.imperfection.waves = {{3e-3, 2, 1}};
+  shape.imperfection.squared_waves = {{2e-3, 1, 2}};
   shape.imperfection.powers = {{2e-3, 0, 0}, {1e-3, 3, 1}};
   const double x = 0.07, y = 0.21, d = 1e-3;
   const auto at = [&](double i, double j) -> Vector3d { return mid_surface(shape, x + i * d, y + j * d).col(0); };
@@ -46,6 +47,11 @@ TEST_CASE("an imperfection is along z, and in the middle as high as its amplitud
   CHECK(mid_surface(shape, 0.2, 0.15)(2, 0) == doctest::Approx(3e-3));
   CHECK(std::abs(mid_surface(shape, 0.4, 0.1)(2, 0)) <= 1e-18);
   shape.imperfection.waves.clear();
+  shape.imperfection.squared_waves = {{2e-3, 1, 1}};
+  CHECK(mid_surface(shape, 0.2, 0.15)(2, 0) == doctest::Approx(2e-3));
+  CHECK(mid_surface(shape, 0.2, 0.05)(2, 0) == doctest::Approx(2e-3 / 4));  // sin² 30°
+  CHECK(mid_surface(shape, 0.2, 0).row(2).norm() <= 1e-18);                 // neither raised nor inclined
+  shape.imperfection.squared_waves.clear();
   shape.imperfection.powers = {{1e-3, 1, 2}};
   CHECK(mid_surface(shape, 0.4, 0.15)(2, 0) == doctest::Approx(1e-3 / 4));
 }

@@ -2,18 +2,23 @@
 
 #include "fem/reduced_basis/reduced_equations.hpp"
 #include "fem/reduced_basis/wide_product.hpp"
+#include "lib/numerics/quadrature.hpp"
 #include "tests/support/shells.hpp"
 
 #include <doctest/doctest.h>
 
 #include <cmath>
+#include <cstddef>
+#include <numbers>
 #include <stdexcept>
+#include <string>
 
 namespace impulse {
 namespace {
 
 using Eigen::MatrixXd;
 using Eigen::VectorXd;
+constexpr double pi = std::numbers::pi;
 
 Shell curved_panel() {
   PanelShape shape{.length_m = 0.15, .width_m = 0.10, .curvature = Curvature::along_y, .radius_m = 0.4};
@@ -78,6 +83,52 @@ TEST_CASE("condensation is the minimum over coordinates that enter quadratically
     const VectorXd d = 1e-3 * VectorXd::Unit(3, i);
     // At the minimum the force is the derivative with y held; a cubic difference is exact but for its fourth order.
     CHECK(force(i) == doctest::Approx((whole(z + d, y) - whole(z - d, y)) / 2e-3).epsilon(1e-12));
+  }
+}
+
+/// Ratio of the frequency at an amplitude A to the linear one, for z̈ + ω²(z + βz³) = 0: with z = A sin θ energy is
+/// ż² = ω²A² cos²θ (1 + βA²(1 + sin²θ)/2).
+double duffing_ratio(double beta_amplitude_squared) {
+  const QuadratureRule rule = gauss_legendre(20);
+  double quarter = 0;
+  for (Eigen::Index i = 0; i < rule.points.size(); ++i) {
+    const double s = std::sin(pi / 4 * (1 + rule.points(i)));
+    quarter += pi / 4 * rule.weights(i) / std::sqrt(1 + beta_amplitude_squared * (1 + s * s) / 2);
+  }
+  return pi / 2 / quarter;
+}
+
+TEST_CASE("a plate in one shape, its plane condensed, hardens as by von Kármán: frequency against amplitude") {
+  constexpr double h = 1e-3;
+  const PanelShape square{.length_m = 1, .width_m = 1};
+  const auto beta = [&](const std::string& edges, bool squared) {
+    const Shell shell(shells::panel(square, shells::isotropic(1e9, 0.3, h, 1), edges, 8, 8));
+    const Structure body = shell_structure(shell, {{0.5, 0.5}});
+    ReducedBasis shape = modal_basis(shell, body, 1, ModeKind::any);
+    if (squared) {  // sin² sin², which is not a mode
+      PanelShape pressed = square;
+      pressed.imperfection.squared_waves = {{1, 1, 1}};
+      VectorXd values = VectorXd::Zero(shell.nodal_values(shells::rest(shell)).size());
+      for (std::size_t k = 0; k < 81; ++k)
+        values.segment<4>(static_cast<Eigen::Index>(12 * k + 8)) =
+            mid_surface(pressed, static_cast<double>(k % 9) / 8, static_cast<double>(k / 9) / 8).row(2).transpose();
+      shape.vectors = shell.restrained(values);
+      shape.vectors /= std::sqrt(shape.vectors.col(0).dot(body.mass * shape.vectors.col(0)));
+      shape.stiffness = shape.vectors.transpose() * body.stiffness * shape.vectors;
+    }
+    const TensorModel model = tensor_model(shell, body, shape, 1);
+    const double height = body.contacts.col(0).dot(shape.vectors.col(0));
+    return model.energy.cubic(0, 0) / model.energy.stiffness(0, 0) * h * h / (height * height);
+  };
+  const double simple = beta("IIII", false), clamped = beta("CCCC", true);
+  CHECK(simple == doctest::Approx(1.3229).epsilon(0.001));
+  CHECK(clamped == doctest::Approx(.5109).epsilon(0.001));
+  const double simple_ratio[5] = {1.0196, 1.0760, 1.1633, 1.2746, 1.4041};
+  const double clamped_ratio[5] = {1.0076, 1.0301, 1.0664, 1.1150, 1.1742};
+  for (int i = 0; i < 5; ++i) {
+    const double amplitude = 0.2 * (i + 1);  // per thickness
+    CHECK(duffing_ratio(simple * amplitude * amplitude) == doctest::Approx(simple_ratio[i]).epsilon(1e-3));
+    CHECK(duffing_ratio(clamped * amplitude * amplitude) == doctest::Approx(clamped_ratio[i]).epsilon(1e-3));
   }
 }
 

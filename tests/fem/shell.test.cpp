@@ -218,6 +218,20 @@ TEST_CASE("shells that cannot be are refused") {
   bad = rough_panel();
   bad.laminate.mass_kg_per_m2 = 0;
   CHECK_THROWS_WITH_AS(Shell{bad}, "the laminate's mass 0 kg/m² is not positive", std::invalid_argument);
+  bad = rough_panel();
+  bad.laminate.thickness_m = 0.2;
+  CHECK_THROWS_WITH_AS(Shell{bad},
+                       "the laminate is 0.2 m thick, the panel only 0.2 m wide; a thin shell is wider than thick",
+                       std::invalid_argument);
+  bad = rough_panel();
+  bad.shape.radius_m = -0.2;
+  bad.laminate.thickness_m = 0.199;
+  CHECK_NOTHROW(require_valid(bad));
+  bad.shape.radius_m = -0.15;
+  CHECK_THROWS_WITH_AS(
+      Shell{bad},
+      "the laminate is 0.199 m thick and the radius of curvature 0.15 m; a thin shell has the larger radius",
+      std::invalid_argument);
   const Shell shell(rough_panel("CCCC"));
   CHECK_THROWS_WITH_AS((void)shell.strain(rest(shell), {0.4, 0.1}),
                        "the point (0.4 m, 0.1 m) is outside the panel of 0.3 m x 0.2 m", std::invalid_argument);

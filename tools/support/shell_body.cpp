@@ -72,6 +72,9 @@ void ShellOptions::declare(Command& command, Use use) {
   command.parsed<Imperfection::Wave>(
       "--imperfection", waves_, parse_wave, "AMPLITUDE,M,N",
       "stress-free, AMPLITUDE sin(M pi x/A) sin(N pi y/B) in the direction of the impact");
+  command.parsed<Imperfection::Wave>("--imperfection-squared", squared_waves_, parse_wave, "AMPLITUDE,M,N",
+                                     "stress-free, AMPLITUDE sin^2(M pi x/A) sin^2(N pi y/B) in the direction of the "
+                                     "impact: level at the edges");
   command.parsed<Imperfection::Power>("--imperfection-power", powers_, parse_power, "COEFFICIENT,P,Q",
                                       "stress-free, COEFFICIENT (x/A)^P (y/B)^Q in the direction of the impact");
   const std::string letters =
@@ -113,7 +116,7 @@ ShellPanel ShellOptions::panel() const {
     panel.shape.curvature = curved_along_.value_or(Curvature::along_y);
     panel.shape.radius_m = *radius_m_;
   }
-  panel.shape.imperfection = {waves_, powers_};
+  panel.shape.imperfection = {waves_, squared_waves_, powers_};
   panel.laminate = laminate_.laminate();
   panel.edges = edges_;
   const PanelPoint struck = points().front();

@@ -42,7 +42,7 @@ class ShellOptions {
   LaminateOptions laminate_;
   std::optional<double> radius_m_;
   std::optional<Curvature> curved_along_;
-  std::vector<Imperfection::Wave> waves_;
+  std::vector<Imperfection::Wave> waves_, squared_waves_;
   std::vector<Imperfection::Power> powers_;
   std::array<EdgeSupport, 4> edges_{};
   std::array<std::size_t, 2> elements_{8, 8};
