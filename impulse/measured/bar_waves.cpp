@@ -13,33 +13,28 @@ namespace {
 
 using Complex = std::complex<double>;
 
-/// A transform of a record and as many zeros, with the frequencies that belong to it.
+/// A transform of a record with zeros behind it, to `lengths` times its length, and the frequencies that belong to it.
 class WaveTransform {
  public:
-  explicit WaveTransform(const UniformGrid& grid)
-      : grid_(grid), fft_(fast_transform_size(2 * grid.size)), time_(fft_.size()) {}
+  explicit WaveTransform(const UniformGrid& grid, std::size_t lengths = 2)
+      : grid_(grid), fft_(fast_transform_size(lengths * grid.size)), time_(fft_.size()) {}
 
-  [[nodiscard]] ComplexBuffer forward(const std::vector<double>& values, double damping = 0) {
+  [[nodiscard]] ComplexBuffer forward(const std::vector<double>& values) {
     std::ranges::fill(time_, 0.0);
-    for (std::size_t n = 0; n < values.size(); ++n) time_[n] = values[n] * std::exp(-damping * at(n));
+    std::ranges::copy(values, time_.begin());
     ComplexBuffer spectrum(fft_.spectrum_size());
     fft_.forward(time_, spectrum);
     return spectrum;
   }
-  [[nodiscard]] std::vector<double> inverse(ComplexBuffer& spectrum, double damping = 0) {
+  [[nodiscard]] std::vector<double> inverse(ComplexBuffer& spectrum) {
     fft_.inverse(spectrum, time_);
-    std::vector<double> values(time_.begin(), time_.begin() + static_cast<std::ptrdiff_t>(grid_.size));
-    for (std::size_t n = 0; n < values.size(); ++n) values[n] *= std::exp(damping * at(n));
-    return values;
+    return {time_.begin(), time_.begin() + static_cast<std::ptrdiff_t>(grid_.size)};
   }
   [[nodiscard]] double angular_frequency(std::size_t k) const {
-    return 2 * std::numbers::pi * static_cast<double>(k) / duration_s();
+    return 2 * std::numbers::pi * static_cast<double>(k) / (static_cast<double>(fft_.size()) * grid_.step_s);
   }
-  [[nodiscard]] double duration_s() const { return static_cast<double>(fft_.size()) * grid_.step_s; }
 
  private:
-  [[nodiscard]] double at(std::size_t n) const { return static_cast<double>(n) * grid_.step_s; }
-
   UniformGrid grid_;
   RealFft fft_;
   RealBuffer time_;
@@ -54,6 +49,14 @@ std::vector<double> filtered(const UniformGrid& grid, const std::vector<double>&
   for (std::size_t k = 0; k < spectrum.size(); ++k)
     spectrum[k] *= factor(bar.phase_velocity_m_per_s(transform.angular_frequency(k)));
   return transform.inverse(spectrum);
+}
+
+/// Σ e^(-imθ) over m = 0 .. count-1.
+Complex sum_of_powers(double theta, double count) {
+  const double half = std::remainder(theta, 2 * std::numbers::pi) / 2;
+  // Below, the sum is `count` to rounding.
+  const double amplitude = std::abs(count * half) < 1e-8 ? count : std::sin(count * half) / std::sin(half);
+  return std::polar(1.0, -(count - 1) * half) * amplitude;
 }
 
 std::vector<double> combined(const std::vector<double>& a, double sign, const std::vector<double>& b) {
@@ -81,16 +84,6 @@ WaveBar::WaveBar(const Material& material, double diameter_m, Dispersion dispers
 
 double WaveBar::phase_velocity_m_per_s(double angular_frequency) const {
   return table_ ? c0_ * table_->speed_ratio(angular_frequency * radius_ / c0_) : c0_;
-}
-
-double WaveBar::group_velocity_m_per_s(double angular_frequency) const {
-  if (!table_) return c0_;
-  const double step = 1e-3 * c0_ / radius_;
-  const double low = std::max(0.0, angular_frequency - step);
-  const double wave_number = angular_frequency / phase_velocity_m_per_s(angular_frequency);
-  const double lower = low / phase_velocity_m_per_s(low);
-  // At 0, k = ω/c0 beforehand.
-  return wave_number > lower ? (angular_frequency - low) / (wave_number - lower) : c0_;
 }
 
 StrainWave travelled(const StrainWave& wave, const WaveBar& bar, double distance_m) {
@@ -140,23 +133,27 @@ EndWaves separated_by_two(const StrainWave& gauge_1, const StrainWave& gauge_2, 
                           double distance_2_m) {
   require(distance_1_m != distance_2_m, "both gauges are {} m from the end; they must stand apart", distance_1_m);
   require(same_grid(gauge_1.grid, gauge_2.grid), "the gauges have different grids");
-  WaveTransform transform(gauge_1.grid);
-  // What wraps around is damped by e^-16 = 1e-7.
-  const double sigma = 16 / transform.duration_s();
-  const ComplexBuffer strain_1 = transform.forward(gauge_1.strain, sigma);
-  const ComplexBuffer strain_2 = transform.forward(gauge_2.strain, sigma);
-  ComplexBuffer arriving(strain_1.size());
-  ComplexBuffer leaving(strain_1.size());
-  for (std::size_t k = 0; k < strain_1.size(); ++k) {
+  const bool first_is_near = distance_1_m < distance_2_m;
+  const double near_m = std::min(distance_1_m, distance_2_m);
+  const double far_m = std::max(distance_1_m, distance_2_m);
+  // What begins in the record and is late by its length at c0 is over before four lengths are, because no group is
+  // slower than c0/3 (for ν ≥ 0.2; below, it is those near κ = 2.3 alone).
+  WaveTransform transform(gauge_1.grid, 4);
+  const ComplexBuffer near = transform.forward((first_is_near ? gauge_1 : gauge_2).strain);
+  const ComplexBuffer far = transform.forward((first_is_near ? gauge_2 : gauge_1).strain);
+  const double reach_m = bar.wave_speed_m_per_s() * gauge_1.grid.duration_s() + near_m;
+  const double passages = std::ceil(reach_m / (2 * (far_m - near_m))) + 1;
+  ComplexBuffer arriving(near.size());
+  ComplexBuffer leaving(near.size());
+  for (std::size_t k = 0; k < near.size(); ++k) {
     const double omega = transform.angular_frequency(k);
-    const Complex ik(sigma / bar.group_velocity_m_per_s(omega), omega / bar.phase_velocity_m_per_s(omega));
-    const Complex determinant =
-        std::exp(ik * (distance_1_m - distance_2_m)) - std::exp(ik * (distance_2_m - distance_1_m));
-    arriving[k] =
-        (strain_1[k] * std::exp(-ik * distance_2_m) - strain_2[k] * std::exp(-ik * distance_1_m)) / determinant;
-    leaving[k] = (strain_2[k] * std::exp(ik * distance_1_m) - strain_1[k] * std::exp(ik * distance_2_m)) / determinant;
+    const double wave_number = omega / bar.phase_velocity_m_per_s(omega);
+    const auto over = [&](double distance_m) { return std::polar(1.0, -wave_number * distance_m); };
+    const Complex sum = sum_of_powers(2 * wave_number * (far_m - near_m), passages);
+    arriving[k] = (far[k] * over(far_m) - near[k] * over(2 * far_m - near_m)) * sum;
+    leaving[k] = (near[k] * over(-near_m) - far[k] * over(far_m - 2 * near_m)) * sum;
   }
-  return {{gauge_1.grid, transform.inverse(arriving, sigma)}, {gauge_1.grid, transform.inverse(leaving, sigma)}};
+  return {{gauge_1.grid, transform.inverse(arriving)}, {gauge_1.grid, transform.inverse(leaving)}};
 }
 
 double strain_per_volt(const StrainBridge& bridge) {
