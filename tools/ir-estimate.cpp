@@ -2,6 +2,7 @@
 #include "lib/cli/run_tool.hpp"
 #include "lib/contract/errors.hpp"
 #include "lib/csv/csv_output.hpp"
+#include "lib/numerics/student_t.hpp"
 #include "tools/support/blow_record.hpp"
 #include "tools/support/regularisation_option.hpp"
 
@@ -18,6 +19,8 @@ struct Request {
   BlowRecords records;
   EstimateOptions options;
   std::optional<std::string> frequency_response;
+  std::optional<std::size_t> resamples;
+  std::size_t seed = 1;
   bool members = false;
   bool quiet = false;
   std::string output;
@@ -54,7 +57,12 @@ struct Request {
                      "of the response (default: what the shortest record gives)");
     command.text("--frequency-response", frequency_response, "FILE",
                  "write frequency_Hz, the mobility H1 and the coherence to FILE");
-    command.flag("--members", members, "write the deviation of every blow too, from which errors can be drawn");
+    command.count("--bootstrap", resamples, 40,
+                  "standard uncertainties from so many resamples of the blows, each estimated anew (default: the limit "
+                  "of many, in closed form and to first order)");
+    command.count("--seed", seed, 0, "of the resamples");
+    command.flag("--members", members,
+                 "write the deviation of every blow (or resample) too, from which errors can be drawn");
     command.flag("--quiet", quiet, "do not report on stderr what was chosen");
     command.output(output);
   }
@@ -67,6 +75,12 @@ void report(const Request& request, const ResponseEstimate& estimate) {
   fmt::print(stderr, "ir-estimate: blows {}; degrees of freedom {}; regularisation {:.3g}{}; force window {:.4g} s\n",
              estimate.blow_count, estimate.measured.degrees_of_freedom, estimate.regularisation,
              rule_name(request.options.regularisation.rule), estimate.force_window_s);
+  const auto degrees = static_cast<double>(estimate.measured.degrees_of_freedom);
+  if (degrees > 0)
+    fmt::print(stderr,
+               "ir-estimate: 95 % bands: {:.3f} standard uncertainties for any one sample, {:.3f} for 95 % of the "
+               "samples of this test together\n",
+               student_t_quantile(0.975, degrees), curve_band_factor(0.95, 0.05, degrees));
 }
 
 void write_frequency_response(const std::string& path, const AveragedSpectra& spectra, double step_s) {
@@ -83,9 +97,13 @@ void write_frequency_response(const std::string& path, const AveragedSpectra& sp
   output.close();
 }
 
-int run(const Request& request) {
+int run(const Request& request, const Command& command) {
+  if (command.given("--seed") && !request.resamples)
+    throw UsageError("--seed", "belongs to --bootstrap; add it or leave this out");
+  EstimateOptions options = request.options;
+  if (request.resamples) options.bootstrap = Bootstrap{.resamples = *request.resamples, .seed = request.seed};
   const BlowRecords::Records records = request.records.read(request.files);
-  const ResponseEstimate estimate = estimated_response(records.blows, records.step_s, request.options);
+  const ResponseEstimate estimate = estimated_response(records.blows, records.step_s, options);
   if (request.members && estimate.measured.deviations.empty())
     throw UsageError("--members", "needs two blows at least; one has no spread");
   report(request, estimate);
@@ -106,13 +124,16 @@ int main(int argc, char** argv) {
        "factor "
        "of the sampling. Blows that are clipped or hit twice are left out. With two blows or more also the standard "
        "uncertainties impulse_response_std_per_kg, step_velocity_std_m_per_Ns and step_displacement_std_m_per_N, from "
-       "the spread of the blows, and their degrees_of_freedom; a 95 % band is Student's t quantile times those. What "
-       "was chosen is reported on stderr.",
+       "the spread of the blows, and their degrees_of_freedom. What was chosen is reported on stderr, and by what the "
+       "standard uncertainties are to be multiplied for a 95 % band: Student's t for a band that holds any one sample "
+       "in 95 % of tests (in a single test the share of samples within scatters about 95 %, since neighbours err "
+       "alike); a larger factor for a band that holds 95 % of the samples of one test in 95 % of tests or more, "
+       "however their errors depend on each other. Either tells what differs from blow to blow, nothing else.",
        "printf 'time_s,force_N,velocity_m_per_s\\n' > blow.csv\n"
        "awk 'BEGIN { for (k = 0; k < 400; ++k) { f = k < 20 ? 100*sin(k*3.14159265/20) : 0; v += (f + last)/2*1e-5/2; "
        "last = f; print k*1e-5 \",\" f \",\" v } }' >> blow.csv\n"
        "ir-estimate --regularisation none blow.csv -o two-kilograms.csv"});
   Request request;
   request.declare(command);
-  return run_tool(argc, argv, command, [&] { return run(request); });
+  return run_tool(argc, argv, command, [&] { return run(request, command); });
 }

@@ -123,7 +123,7 @@ Record read_record(const Request& request) {
       const double count = *request.rest_s / record.grid.step_s;
       if (!(count >= 1 && count < static_cast<double>(values.size())))
         throw UsageError("--rest", fmt::format("{:g} s is no part of the record of {:g} s", *request.rest_s,
-                                                record.grid.duration_s()));
+                                               record.grid.duration_s()));
       remove_offset(values, static_cast<std::size_t>(count));
     }
     if (request.from_s) std::fill(values.begin(), values.begin() + index("--from", *request.from_s), 0.0);
@@ -207,7 +207,8 @@ int main(int argc, char** argv) {
        "A wave in a bar is carried from the gauge to the bar's end, or anywhere, every frequency with its own phase "
        "velocity: that of the first longitudinal mode (Pochhammer and Chree), from Poisson's ratio. With --gauge and "
        "--split the waves to and from the end are told apart by time, with two --gauge by their travel between the "
-       "gauges. Columns: time_s,force_N,velocity_m_per_s (force compressive, velocity towards the end) and of both "
+       "gauges, whatever overlaps at either (noise adds up with every passage, so set them far apart). Columns: "
+       "time_s,force_N,velocity_m_per_s (force compressive, velocity towards the end) and of both "
        "waves arriving_force_N,leaving_force_N; with --travel time_s,force_N,velocity_m_per_s,strain of one wave. "
        "--summary: striker_speed_m_per_s,plateau_force_N,pulse_begin_s,pulse_length_s,striker_round_trip_s.",
        "ir-bar --segment 300mm,20mm,steel --face B --step 1us --duration 400us -o striker.csv\n"

@@ -157,22 +157,6 @@ double l_curve_regularisation(const AveragedSpectra& spectra, Penalty penalty) {
 
 namespace {
 
-/// First-order change of the estimate X at one frequency by one record's share in the sums, (f, v).
-Complex change(SpectralEstimator estimator, Complex x, double ff, double vv, Complex fv, Complex f, Complex v) {
-  const double df = std::norm(f) / ff;
-  const double dv = vv > 0 ? std::norm(v) / vv : 0;
-  const Complex dc = std::norm(fv) > 0 ? std::conj(f) * v / fv : Complex(0);
-  switch (estimator) {
-    case SpectralEstimator::h1:
-      return x * (dc - df);
-    case SpectralEstimator::h2:
-      return x * (dv - std::conj(dc));
-    case SpectralEstimator::hv:
-      return x * (0.5 * (dv - df) + Complex(0, dc.imag()));
-  }
-  return 0;
-}
-
 Complex estimate(SpectralEstimator estimator, double ff, double vv, Complex fv) {
   if (std::norm(fv) == 0) return 0;
   switch (estimator) {
@@ -184,6 +168,10 @@ Complex estimate(SpectralEstimator estimator, double ff, double vv, Complex fv) 
       return std::sqrt(vv / ff) * fv / std::abs(fv);
   }
   return 0;
+}
+
+Complex regularised(SpectralEstimator estimator, double ff, double vv, Complex fv, double lambda) {
+  return ff > 0 ? ff / (ff + lambda) * estimate(estimator, ff, vv, fv) : 0;
 }
 
 }  // namespace
@@ -199,23 +187,28 @@ EstimatedKernel spectral_kernel(std::span<const InputOutput> records, const Aver
     const double power = spectra.input_power[k];
     require(power + lambda > 0, "no input has power at 1/{} of the sampling frequency; use a --regularisation",
             static_cast<double>(spectra.transform_size) / static_cast<double>(std::max<std::size_t>(k, 1)));
-    if (power > 0)
-      kernel[k] = power / (power + lambda) * estimate(estimator, power, spectra.output_power[k], spectra.cross[k]);
+    kernel[k] = regularised(estimator, power, spectra.output_power[k], spectra.cross[k], lambda);
   }
-  EstimatedKernel result{{}, {}, spectra.record_count - 1, 0};
-  const double scale = std::sqrt(static_cast<double>(spectra.record_count) /
-                                 std::max(1.0, static_cast<double>(spectra.record_count - 1)));
-  for (std::size_t b = 0; spectra.record_count > 1 && b < records.size(); ++b) {
-    const ComplexBuffer f = transform.forward(records[b].input);
-    const ComplexBuffer v = transform.forward(records[b].output);
-    ComplexBuffer deviation(half);
+  EstimatedKernel result{transform.inverse(kernel, spectra.record_size), {}, spectra.record_count - 1, 0};
+  if (spectra.record_count == 1) return result;
+  const auto count = static_cast<double>(records.size());
+  // λ per record stays: the estimate is a function of the records' mean spectra.
+  const double less_lambda = (count - 1) / count * lambda;
+  for (const InputOutput& record : records) {
+    const ComplexBuffer f = transform.forward(record.input);
+    const ComplexBuffer v = transform.forward(record.output);
+    ComplexBuffer without(half);
     for (std::size_t k = 0; k < half; ++k)
-      if (spectra.input_power[k] > 0)
-        deviation[k] = scale * change(estimator, kernel[k], spectra.input_power[k], spectra.output_power[k],
-                                      spectra.cross[k], f[k], v[k]);
-    result.deviations.push_back(transform.inverse(deviation, spectra.record_size));
+      without[k] = regularised(estimator, std::max(0.0, spectra.input_power[k] - std::norm(f[k])),
+                               std::max(0.0, spectra.output_power[k] - std::norm(v[k])),
+                               spectra.cross[k] - std::conj(f[k]) * v[k], less_lambda);
+    result.deviations.push_back(transform.inverse(without, spectra.record_size));
   }
-  result.values = transform.inverse(kernel, spectra.record_size);
+  for (std::size_t n = 0; n < spectra.record_size; ++n) {
+    double mean = 0;
+    for (const auto& without : result.deviations) mean += without[n] / count;
+    for (auto& without : result.deviations) without[n] = std::sqrt((count - 1) / count) * (mean - without[n]);
+  }
   return result;
 }
 

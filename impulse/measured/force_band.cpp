@@ -3,12 +3,12 @@
 #include "impulse/response/response_csv.hpp"
 #include "lib/contract/errors.hpp"
 #include "lib/contract/require.hpp"
+#include "lib/numerics/seeded_draws.hpp"
 
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <cmath>
-#include <future>
 
 namespace impulse {
 namespace {
@@ -74,16 +74,8 @@ ForceBand force_band(const BandOptions& options, const std::function<ForceOutcom
   require(options.confidence > 0 && options.confidence < 1, "the confidence {} is not between 0 and 1",
           options.confidence);
   std::vector<ForceOutcome> outcomes(options.draws);
-  const auto work = [&](std::size_t first) {
-    for (std::size_t k = first; k < outcomes.size(); k += 2) {
-      std::seed_seq seed{options.seed, k};
-      std::mt19937_64 engine(seed);
-      outcomes[k] = outcome(engine);
-    }
-  };
-  std::future<void> other = std::async(std::launch::async, [&] { work(1); });
-  work(0);
-  other.get();
+  for_each_draw(options.draws, options.seed, options.threads,
+                [&](std::size_t k, std::mt19937_64& engine) { outcomes[k] = outcome(engine); });
 
   const auto over_draws = [&](const auto& value) {
     std::vector<double> values;

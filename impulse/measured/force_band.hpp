@@ -51,10 +51,11 @@ struct BandOptions {
   std::size_t draws = 0;  ///< ≥ 40
   std::size_t seed = 1;
   double confidence = 0.95;  ///< of the band between lower and upper, in (0, 1)
+  std::size_t threads = 0;   ///< 0: one for each processor
 };
 
 /// Quantiles of force, peak, duration and impulse over draws, each made by `outcome` with an engine of its own that is
-/// seeded by (seed, number of the draw): the same band whatever runs when. Two threads; `outcome` must bear that.
+/// seeded by (seed, number of the draw): the same band on any number of threads, which `outcome` must bear.
 /// @throws std::invalid_argument for fewer than 40 draws or a confidence outside (0, 1); what `outcome` throws.
 /// Verified by: tests/impulse/force_band.test.cpp
 [[nodiscard]] ForceBand force_band(const BandOptions& options,

@@ -86,7 +86,7 @@ EstimatedKernel least_squares_kernel(std::span<const InputOutput> records, const
   }
   NormalEquations::Solution solution = equations.solve(right, options.tolerance, options.most_iterations);
   EstimatedKernel kernel{std::move(solution.x), {}, records.size() - 1, solution.iterations};
-  if (records.size() > 1) {
+  if (records.size() > 1 && options.deviations == Deviations::closed_form) {
     for (const InputOutput& record : records) kernel.deviations.push_back(equations.score(record, kernel.values));
     centre(kernel.deviations);
     solve_deviations(options.most_iterations, equations, kernel.deviations);

@@ -30,10 +30,14 @@ enum class Penalty {
 /// |1 - e^(-iω)|² or 1 at frequency k of a transform.
 [[nodiscard]] double penalty_at(Penalty penalty, std::size_t k, std::size_t transform_size);
 
+/// Whether an estimate's deviations are wanted beside it.
+enum class Deviations { none, closed_form };
+
 struct KernelOptions {
   double regularisation = 0;  ///< λ over the largest power of the inputs, > 0
   Penalty penalty = Penalty::size;
   const LinearConstraint* constraint = nullptr;
+  Deviations deviations = Deviations::closed_form;
   double tolerance = 1e-6;  ///< of the normal equations' residual, relative, > 0; what is left is at the record's end
   std::size_t most_iterations = 2000;
 };
@@ -54,10 +58,10 @@ struct EstimatedKernel {
 /// P (their last non-zero sample), and are solved by conjugate gradients, preconditioned with
 /// T_aᵀT_a, a the minimum-phase factor of Σ|F|² + λ, which is exact but for the corner; their solution is that of the
 /// dense problem to `tolerance`.
-/// The deviations are those of the bootstrap over records, linearised and in closed form (docs/decisions/0014):
-/// d_b = √(B/(B-1)) A⁻¹ (s_b - s̄), s_b = T_bᵀ(v_b - T_b x) the score of a record, to 1 % of their norm.
-/// A constraint moves x and each d_b along A⁻¹a, the best way to meet it.
-/// Cost: 6 real transforms of length 2N and 4 B of length 2P an iteration; of these 5 to 50, more the smaller λ.
+/// The deviations, if wanted, are those of the bootstrap over records, linearised and in closed form
+/// (docs/decisions/0014): d_b = √(B/(B-1)) A⁻¹ (s_b - s̄), s_b = T_bᵀ(v_b - T_b x) the score of a record, to 1 % of
+/// their norm. A constraint moves x and each d_b along A⁻¹a, the best way to meet it. Cost: 6 real transforms of length
+/// 2N and 4 B of length 2P an iteration; of these 5 to 50, more the smaller λ.
 /// @throws std::invalid_argument for no record, unequal or no samples, inputs all zero or λ ≤ 0; ConvergenceError.
 /// Verified by: tests/impulse/least_squares_kernel.test.cpp
 [[nodiscard]] EstimatedKernel least_squares_kernel(std::span<const InputOutput> records, const KernelOptions& options);

@@ -107,6 +107,39 @@ void require_consistent(const EstimateOptions& options) {
           options.exponential_s.value_or(0));
 }
 
+EstimatedKernel estimated_kernel(std::span<const InputOutput> records, const AveragedSpectra& spectra,
+                                 double regularisation, double step_s, const EstimateOptions& options,
+                                 Deviations deviations) {
+  if (options.estimator != ResponseEstimator::least_squares)
+    return spectral_kernel(deviations == Deviations::none ? std::span<const InputOutput>() : records, spectra,
+                           spectral(options.estimator), regularisation);
+  if (options.regularisation.rule == Regularisation::Rule::none) return divided_kernel(records);
+  KernelOptions how{.regularisation = regularisation, .deviations = deviations};
+  LinearConstraint constraint;
+  if (options.free_mass_kg) {
+    const std::size_t size = records.front().input.size();
+    constraint = rigid_body_constraint(*options.free_mass_kg, size, step_s);
+    if (options.exponential_s)
+      for (std::size_t n = 0; n < size; ++n)
+        constraint.weight[n] *= std::exp(static_cast<double>(n) * step_s / *options.exponential_s);
+    how.constraint = &constraint;
+  }
+  return least_squares_kernel(records, how);
+}
+
+EstimatedKernel resampled_kernel(std::span<const InputOutput> records, const AveragedSpectra& spectra,
+                                 double regularisation, double step_s, const EstimateOptions& options) {
+  EstimatedKernel kernel = estimated_kernel(records, spectra, regularisation, step_s, options, Deviations::none);
+  const double lambda = regularisation * spectra.largest_input_power();
+  kernel.deviations = bootstrap_deviations(records, *options.bootstrap, [&](std::span<const InputOutput> resample) {
+    const AveragedSpectra drawn = averaged_spectra(resample);
+    return estimated_kernel(resample, drawn, lambda / drawn.largest_input_power(), step_s, options, Deviations::none)
+        .values;
+  });
+  kernel.values.resize(std::min(kernel.values.size(), kernel.deviations.front().size()));
+  return kernel;
+}
+
 }  // namespace
 
 ResponseEstimate estimated_response(const std::vector<Blow>& blows, double step_s, const EstimateOptions& options) {
@@ -125,23 +158,10 @@ ResponseEstimate estimated_response(const std::vector<Blow>& blows, double step_
   estimate.spectra = averaged_spectra(records);
   estimate.regularisation = chosen_regularisation(options.regularisation, estimate.spectra);
 
-  EstimatedKernel kernel;
-  if (options.estimator != ResponseEstimator::least_squares) {
-    kernel = spectral_kernel(records, estimate.spectra, spectral(options.estimator), estimate.regularisation);
-  } else if (options.regularisation.rule == Regularisation::Rule::none) {
-    kernel = divided_kernel(records);
-  } else {
-    KernelOptions how{.regularisation = estimate.regularisation};
-    LinearConstraint constraint;
-    if (options.free_mass_kg) {
-      constraint = rigid_body_constraint(*options.free_mass_kg, size, step_s);
-      if (options.exponential_s)
-        for (std::size_t n = 0; n < size; ++n)
-          constraint.weight[n] *= std::exp(static_cast<double>(n) * step_s / *options.exponential_s);
-      how.constraint = &constraint;
-    }
-    kernel = least_squares_kernel(records, how);
-  }
+  EstimatedKernel kernel = options.bootstrap
+                               ? resampled_kernel(records, estimate.spectra, estimate.regularisation, step_s, options)
+                               : estimated_kernel(records, estimate.spectra, estimate.regularisation, step_s, options,
+                                                  Deviations::closed_form);
   if (options.exponential_s) remove_window(kernel, step_s, *options.exponential_s);
 
   UniformGrid grid{step_s, std::min(kernel.values.size(), size - force_size)};

@@ -2,6 +2,7 @@
 
 #include "impulse/measured/averaged_spectra.hpp"
 #include "impulse/measured/blow.hpp"
+#include "impulse/measured/bootstrap.hpp"
 #include "impulse/measured/measured_response.hpp"
 
 #include <optional>
@@ -31,7 +32,8 @@ struct EstimateOptions {
   std::optional<double> exponential_s = {};  ///< time constant of an exponential window on both channels
   std::optional<double> free_mass_kg = {};   ///< of a free body: 1/m is the rigid-body part of G
   Drift drift = Drift::none;
-  std::optional<double> duration_s = {};  ///< of the response; empty: what the shortest record leaves
+  std::optional<Bootstrap> bootstrap = {};  ///< deviations by resampling; empty: in closed form
+  std::optional<double> duration_s = {};    ///< of the response; empty: what the shortest record leaves
 };
 
 struct LeftOut {
@@ -55,7 +57,8 @@ struct ResponseEstimate {
 /// time domain (least_squares_kernel.hpp) or an average of spectra then gives the weights of the contact equation, and
 /// they the response (measured_response.hpp). An exponential window multiplies force and velocity by e^(-t/τ), hence
 /// the kernel too, from which it is divided out again: it adds no damping. A response ends where the last force window
-/// would leave it undetermined.
+/// would leave it undetermined. A bootstrap draws blows; λ in units of the forces' power, and the windows, stay those
+/// of the whole test.
 /// @throws std::invalid_argument if no blow is left, saying why each was left out, or if options contradict each other;
 /// ConvergenceError. Verified by: tests/impulse/response_estimate.test.cpp,
 /// tests/impulse/response_coverage.test.cpp

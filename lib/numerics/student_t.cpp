@@ -15,4 +15,10 @@ double student_t_quantile(double p, double degrees_of_freedom) {
   return gsl_cdf_tdist_Pinv(p, degrees_of_freedom);
 }
 
+double curve_band_factor(double confidence, double outside, double degrees_of_freedom) {
+  require(confidence > 0 && confidence < 1, "the confidence {} is not between 0 and 1", confidence);
+  require(outside > 0 && outside < 1, "the share {} left outside is not between 0 and 1", outside);
+  return student_t_quantile(1 - outside * (1 - confidence) / 2, degrees_of_freedom);
+}
+
 }  // namespace impulse

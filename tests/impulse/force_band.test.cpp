@@ -68,6 +68,25 @@ TEST_CASE("force_band: a seed gives the same band, another one another; a confid
   CHECK(draw(1, 0.5).upper < draw(1, 0.95).upper);
 }
 
+TEST_CASE("force_band: one, two and three threads draw the same band, every quantity of it") {
+  const MeasuredResponse body = measured(4);
+  const auto on = [&](std::size_t threads) {
+    return force_band({.draws = 101, .seed = 9, .threads = threads},
+                      [&](std::mt19937_64& engine) { return outcome(body, engine); });
+  };
+  const auto numbers = [](const ForceBand& band) {
+    std::vector<double> all;
+    const auto add = [&](const Quantiles& q) { all.insert(all.end(), {q.lower, q.median, q.upper}); };
+    for (const Quantiles& q : band.force_N) add(q);
+    for (const Quantiles& q : {band.peak_force_N, band.contact_duration_s, band.impulse_Ns}) add(q);
+    return all;
+  };
+  const std::vector<double> one = numbers(on(1));
+  CHECK(one.size() == 15);
+  CHECK(numbers(on(2)) == one);
+  CHECK(numbers(on(3)) == one);
+}
+
 TEST_CASE("force_band: draws that end in contact are counted") {
   std::atomic<int> count = 0;
   const ForceBand band = force_band({.draws = 41}, [&](std::mt19937_64&) {

@@ -30,15 +30,14 @@ class Mean {
   double count_ = 0, sum_ = 0, squares_ = 0;
 };
 
-/// Share of the samples from `first` on at which an error is within the 95 % band of its deviations.
-double share_within(const std::vector<double>& error, const std::vector<std::vector<double>>& deviations,
+/// Share of the samples from `first` on at which an error is within `factor` standard uncertainties of its deviations.
+double share_within(double factor, const std::vector<double>& error, const std::vector<std::vector<double>>& deviations,
                     std::size_t first) {
-  const double quantile = student_t_quantile(0.975, static_cast<double>(deviations.size() - 1));
   std::size_t within = 0;
   for (std::size_t n = first; n < error.size(); ++n) {
     double variance = 0;
     for (const std::vector<double>& deviation : deviations) variance += deviation[n] * deviation[n];
-    within += std::abs(error[n]) <= quantile * std::sqrt(variance) ? 1 : 0;
+    within += std::abs(error[n]) <= factor * std::sqrt(variance) ? 1 : 0;
   }
   return static_cast<double>(within) / static_cast<double>(error.size() - first);
 }
@@ -51,10 +50,15 @@ PairResponse estimand(const PairResponse& body, double step_s) {
   return response_of_kernel(kernel, {step_s, kernel.size()});
 }
 
-/// Shares of samples within the band, over repetitions of a hammer test.
+struct Shares {
+  Mean samples;  ///< within Student's band
+  Mean tests;    ///< of which 95 % of the samples are within the band for one test (curve_band_factor)
+};
+
+/// Over repetitions of a hammer test.
 struct Coverage {
-  Mean g, h, u;
-  Mean h_in_band;  ///< H, its error and its deviations through the same low-pass filter
+  Shares g, h, u;
+  Shares h_in_band;  ///< H, its error and its deviations through the same low-pass filter
 };
 
 Coverage coverage(const PairResponse& body, const PairResponse& truth, const structures::HammerTest& hammer,
@@ -67,26 +71,38 @@ Coverage coverage(const PairResponse& body, const PairResponse& truth, const str
     const MeasuredResponse found =
         estimated_response(structures::blows(body, hammer, 1000 + repetition), hammer.step_s, options).measured;
     REQUIRE(found.degrees_of_freedom == 4);
-    const auto share = [&](Part part, const BandFilter* through) {
+    const auto add = [&](Part part, const BandFilter* through, Shares& shares) {
       std::vector<double> error = found.response.pairs[0].*part;
       for (std::size_t n = 0; n < error.size(); ++n) error[n] -= (truth.*part)[n];
       std::vector<std::vector<double>> deviations;
       for (const PairResponse& deviation : found.deviations)
         deviations.push_back(through ? through->filtered(deviation.*part) : deviation.*part);
-      return through ? share_within(through->filtered(error), deviations, 0) : share_within(error, deviations, 1);
+      if (through) error = through->filtered(error);
+      const std::size_t first = through ? 0 : 1;
+      shares.samples.add(share_within(student_t_quantile(0.975, 4), error, deviations, first));
+      shares.tests.add(share_within(curve_band_factor(0.95, 0.05, 4), error, deviations, first) >= 0.95 ? 1 : 0);
     };
-    coverage.g.add(share(&PairResponse::impulse_response_per_kg, nullptr));
-    coverage.h.add(share(&PairResponse::step_velocity_m_per_Ns, nullptr));
-    coverage.u.add(share(&PairResponse::step_displacement_m_per_N, nullptr));
-    coverage.h_in_band.add(share(&PairResponse::step_velocity_m_per_Ns, &filter));
+    add(&PairResponse::impulse_response_per_kg, nullptr, coverage.g);
+    add(&PairResponse::step_velocity_m_per_Ns, nullptr, coverage.h);
+    add(&PairResponse::step_displacement_m_per_N, nullptr, coverage.u);
+    add(&PairResponse::step_velocity_m_per_Ns, &filter, coverage.h_in_band);
   }
   return coverage;
 }
 
-void check_share(const Mean& share) {
-  CHECK(share.standard_error() < 0.007);
-  CHECK(share.value() > 0.93);
-  CHECK(share.value() < 0.97);
+void check_share(const Shares& share) {
+  CHECK(share.samples.standard_error() < 0.007);
+  CHECK(share.samples.value() > 0.93);
+  CHECK(share.samples.value() < 0.97);
+  CHECK(share.tests.value() >= 0.95);
+}
+
+PairResponse short_modal(const ModalModel& model, const structures::HammerTest& hammer) {
+  return modal_response(model, {hammer.step_s, hammer.size + 1}).pairs[0];
+}
+
+PairResponse short_rod(const structures::HammerTest& hammer) {
+  return wave_response(bars::steel_rod(0.5, FarEnd::free), {hammer.step_s, hammer.size + 1}).pairs[0];
 }
 
 structures::HammerTest short_test(double noise_dB) {
@@ -98,9 +114,27 @@ structures::HammerTest short_test(double noise_dB) {
 
 }  // namespace
 
+TEST_CASE("response_coverage: in 95 of 100 tests, 95 % of the samples are within the band for one test") {
+  for (const double noise_dB : {40.0, 20.0}) {
+    CAPTURE(noise_dB);
+    const structures::HammerTest hammer = short_test(noise_dB);
+    constexpr unsigned tests = 25;
+    for (const ModalModel& model : {structures::beam(), structures::plate()}) {
+      const PairResponse body = short_modal(model, hammer);
+      const Coverage shares = coverage(body, body, hammer, tests, {});
+      for (const Shares* share : {&shares.g, &shares.h, &shares.u}) CHECK(share->tests.value() >= 0.95);
+    }
+    // A rod by what is in the hammer's band, and by the means over steps of its H; its G lies above that band.
+    const PairResponse rod = short_rod(hammer);
+    const Coverage shares = coverage(rod, estimand(rod, hammer.step_s), hammer, tests, {});
+    for (const Shares* share : {&shares.h_in_band, &shares.h, &shares.u}) CHECK(share->tests.value() >= 0.95);
+  }
+}
+
 // Within one record errors of H and U are slow, so that the share of samples in the band scatters from one test to the
-// next (by 0.2 for U): its mean is what is 95 %. Blows of unequal strength whose noise is a fraction of it leave 94.4 %
-// of that (docs/decisions/0014), regularisation the 93.2 to 94.9 % here (docs/decisions/0015).
+// next (by 0.2 for U): its mean is what is 95 %, and a wider band that holds 95 % of a single test (curve_band_factor).
+// Blows of unequal strength whose noise is a fraction of it leave 94.4 % of that (docs/decisions/0014), regularisation
+// the 93.2 to 94.9 % here (docs/decisions/0015).
 TEST_SUITE("slow") {
   TEST_CASE("response_coverage: beam and plate at 40 and 20 dB have 93 to 97 % of the samples within the 95 % band") {
     for (const double noise_dB : {40.0, 20.0})
@@ -108,7 +142,7 @@ TEST_SUITE("slow") {
         CAPTURE(noise_dB);
         CAPTURE(model.angular_frequency.size());
         const structures::HammerTest hammer = short_test(noise_dB);
-        const PairResponse body = modal_response(model, {hammer.step_s, hammer.size + 1}).pairs[0];
+        const PairResponse body = short_modal(model, hammer);
         const Coverage shares = coverage(body, body, hammer, 1500, {});
         check_share(shares.g);
         check_share(shares.h);
@@ -122,17 +156,16 @@ TEST_SUITE("slow") {
     for (const double noise_dB : {40.0, 20.0}) {
       CAPTURE(noise_dB);
       const structures::HammerTest hammer = short_test(noise_dB);
-      const PairResponse body =
-          wave_response(bars::steel_rod(0.5, FarEnd::free), {hammer.step_s, hammer.size + 1}).pairs[0];
+      const PairResponse body = short_rod(hammer);
       const Coverage shares = coverage(body, estimand(body, hammer.step_s), hammer, 1500, {});
       check_share(shares.h_in_band);
-      CHECK(shares.g.value() < 0.93);
+      CHECK(shares.g.samples.value() < 0.93);
     }
   }
 
   TEST_CASE("response_coverage: 93 to 97 % of the samples of 4000 repetitions at a given regularisation") {
     const structures::HammerTest hammer = short_test(40);
-    const PairResponse body = modal_response(structures::beam(), {hammer.step_s, hammer.size + 1}).pairs[0];
+    const PairResponse body = short_modal(structures::beam(), hammer);
     const Coverage shares = coverage(body, body, hammer, 4000, {.regularisation = {Regularisation::Rule::value, 1e-5}});
     check_share(shares.h);
     check_share(shares.g);

@@ -50,6 +50,18 @@ TEST_CASE("student_t: quantiles in closed form, and the normal limit") {
                        std::invalid_argument);
 }
 
+TEST_CASE("curve_band_factor: the share it leaves outside, by counting, for 19 groups of values and for one") {
+  // Two degrees of freedom have a distribution in closed form, P(|T| > k) = 1 - k/√(2 + k²); p = 0.05·0.05.
+  const double k = curve_band_factor(0.95, 0.05, 2);
+  CHECK(1 - k / std::sqrt(2 + k * k) == doctest::Approx(0.0025).epsilon(1e-9));
+  // Bonferroni's band of ten values.
+  CHECK(curve_band_factor(0.95, 0.1, 4) == doctest::Approx(student_t_quantile(1 - 0.005 / 2, 4)).epsilon(1e-12));
+  // 19 errors, each of 1/19 = 5.3 % of the values: 1 - (1 - p)^19 of curves have one beyond, nearly the 5 % allowed.
+  CHECK(1 - std::pow(1 - 0.0025, 19) == doctest::Approx(0.0464).epsilon(0.01));
+  CHECK_THROWS_WITH_AS((void)curve_band_factor(1, 0.05, 4), doctest::Contains("confidence 1"), std::invalid_argument);
+  CHECK_THROWS_WITH_AS((void)curve_band_factor(0.95, 0, 4), doctest::Contains("share 0"), std::invalid_argument);
+}
+
 TEST_CASE("cubic_spline: order 4 inside, exact for lines, refusals") {
   const auto error = [](int n) {
     std::vector<double> x, y;
