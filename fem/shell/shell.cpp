@@ -2,6 +2,8 @@
 
 #include "lib/contract/require.hpp"
 
+#include <Eigen/SparseCholesky>
+
 #include <algorithm>
 #include <cmath>
 #include <cstdlib>
@@ -218,6 +220,13 @@ Structure shell_structure(const Shell& shell, const std::vector<PanelPoint>& con
   }
   body.outputs = body.contacts;
   body.wave_admittance = Eigen::MatrixXd::Zero(count, count);
+  const auto& edges = shell.panel().edges;
+  if (count > 0 && std::ranges::all_of(edges, [](EdgeSupport edge) { return edge == EdgeSupport::free; })) {
+    // Mr is what the masses need to be moved alike: the load of ρh per area along the normal.
+    const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> mass(body.mass);
+    body.translation =
+        mass.solve(shell.uniform_load(shell.panel().laminate.mass_kg_per_m2 * shell.normal(contacts.front())));
+  }
   return body;
 }
 

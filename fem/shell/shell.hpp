@@ -121,7 +121,8 @@ class Shell {
 /// The shell for statics; lengths are root mean square displacements. Keeps a reference to it.
 [[nodiscard]] ElasticBody elastic_body(const Shell& shell);
 
-/// K at rest, M, and a contact and output for each point: the displacement along the surface's normal there.
+/// K at rest, M, and a contact and output for each point: the displacement along the surface's normal there; of a panel
+/// that nothing holds also the translation along the first.
 /// @throws std::invalid_argument for a point outside the panel or held by a support.
 /// Verified by: tests/fem/shell.test.cpp
 [[nodiscard]] Structure shell_structure(const Shell& shell, const std::vector<PanelPoint>& contacts);

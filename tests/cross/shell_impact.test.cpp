@@ -1,5 +1,7 @@
 // A sphere on the 20-ply panel, small displacements: the modes of the mesh in the contact equation against the whole
-// mesh marched together with striker and law.
+// mesh marched together with striker and law, implicitly, and by central differences with its consistent mass.
+#include "fem/bodies/mass_structure.hpp"
+#include "fem/explicit/explicit_contact.hpp"
 #include "fem/reduced_basis/panel_impact.hpp"
 #include "impulse/contact/contacts_problem.hpp"
 #include "impulse/response/mass_response.hpp"
@@ -41,6 +43,16 @@ ContactTrace by_whole_mesh(const Shell& shell, const Structure& body, const Cont
   return impact.impact().trace();
 }
 
+ContactTrace by_explicit_steps(const Structure& body, const ContactLaw& law, const UniformGrid& grid) {
+  return explicit_contact(mass_structure(sphere_mass), body,
+                          {.speed_m_per_s = speed,
+                           .step_s = grid.step_s,
+                           .duration_s = grid.duration_s(),
+                           .law = law,
+                           .after_contact = AfterContact::touch_again})
+      .trace;
+}
+
 double relative_l2(const std::vector<double>& reference, const std::vector<double>& other) {
   double difference = 0, size = 0;
   for (std::size_t n = 0; n < reference.size(); ++n) {
@@ -52,21 +64,26 @@ double relative_l2(const std::vector<double>& reference, const std::vector<doubl
 
 }  // namespace
 
-TEST_CASE("cross: a sphere on a shell, by its modes in the contact equation and by the whole mesh: order 2") {
+TEST_CASE("cross: a sphere on a shell, by its modes, by the whole mesh implicitly and explicitly: order 2") {
   const Shell shell = curved_panel();
   const Structure body = shell_structure(shell, {{0.0762, 0.0508}});
   const ModalModel modes = modal_model(body);
   for (const ContactLaw& law : {ContactLaw::hertz(1.413e9), ContactLaw::tan_sun(1.413e9, 0.094, 1.667e-4)}) {
-    std::vector<double> force_apart, deflection_apart;
+    std::vector<double> force_apart, deflection_apart, explicit_force_apart, explicit_deflection_apart;
     for (const double step : {1e-6, 0.5e-6, 0.25e-6, 0.125e-6}) {
       const UniformGrid grid = grid_over(duration, step);
-      const ContactTrace responses = by_responses(modes, law, grid), mesh = by_whole_mesh(shell, body, law, grid);
+      const ContactTrace responses = by_responses(modes, law, grid), mesh = by_whole_mesh(shell, body, law, grid),
+                         steps = by_explicit_steps(body, law, grid);
       force_apart.push_back(relative_l2(mesh.force_N, responses.force_N));
       deflection_apart.push_back(relative_l2(mesh.displacement_2_m, responses.displacement_2_m));
+      explicit_force_apart.push_back(relative_l2(steps.force_N, responses.force_N));
+      explicit_deflection_apart.push_back(relative_l2(steps.displacement_2_m, responses.displacement_2_m));
     }
     CHECK(force_apart.back() < 1e-4);
     CHECK(deflection_apart.back() < 1e-5);
-    for (const auto& apart : {force_apart, deflection_apart})
+    CHECK(explicit_force_apart.back() < 1e-4);
+    CHECK(explicit_deflection_apart.back() < 1e-5);
+    for (const auto& apart : {force_apart, deflection_apart, explicit_force_apart, explicit_deflection_apart})
       for (std::size_t i = 0; i + 1 < apart.size(); ++i) CHECK(std::abs(std::log2(apart[i] / apart[i + 1]) - 2) <= 0.1);
   }
 }

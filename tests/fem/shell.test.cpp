@@ -207,6 +207,23 @@ TEST_CASE("a free curved panel has six rigid-body modes") {
   CHECK((modes.angular_frequency.array() == 0).count() == 6);
 }
 
+TEST_CASE("shell: a panel that nothing holds flies as its mass, along the normal of its first point") {
+  const PanelShape shape{.length_m = 0.2, .width_m = 0.1, .curvature = Curvature::along_y, .radius_m = 0.15};
+  const Shell shell(shells::panel(shape, shells::isotropic(70e9, 0.3, 2e-3, 2700), "FFFF", 3, 2));
+  const Structure body = shell_structure(shell, {{0.1, 0.05}, {0.05, 0.02}});
+  const Eigen::VectorXd& r = body.translation;
+  REQUIRE(r.size() == shell.size());
+  CHECK(body.contacts.col(0).dot(r) == doctest::Approx(1).epsilon(1e-12));
+  // The other normal is turned against the first by the arc between them.
+  CHECK(body.contacts.col(1).dot(r) == doctest::Approx(std::cos(0.03 / 0.15)).epsilon(1e-4));
+  CHECK(r.dot(body.mass * r) == doctest::Approx(2700 * 2e-3 * shell.area_m2()).epsilon(1e-12));
+  const Eigen::VectorXd force = body.stiffness * r;
+  CHECK(force.cwiseAbs().maxCoeff() <= 1e-12 * body.stiffness.diagonal().maxCoeff());
+  CHECK(shell_structure(Shell(shells::panel(shape, shells::isotropic(70e9, 0.3, 2e-3, 2700), "FFFC", 3, 2)),
+                        {{0.1, 0.05}})
+            .translation.size() == 0);
+}
+
 TEST_CASE("shells that cannot be are refused") {
   ShellPanel bad = rough_panel();
   bad.lines_x[2] = bad.lines_x[1];

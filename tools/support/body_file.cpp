@@ -4,6 +4,7 @@
 #include "lib/contract/errors.hpp"
 #include "tools/support/bar_body.hpp"
 #include "tools/support/beam_body.hpp"
+#include "tools/support/described_shell.hpp"
 #include "tools/support/mass_body.hpp"
 #include "tools/support/plate_body.hpp"
 #include "tools/support/solid_body.hpp"
@@ -27,6 +28,7 @@ constexpr BodyKind kinds[] = {
     {"cone", read_bar_body},
     {"mass", read_mass_body},
     {"plate", read_plate_body},
+    {"shell", read_shell_body},
     {"solid", read_solid_body},
 };
 

@@ -37,7 +37,7 @@ struct DescribedBody {
 /// Verified by: tests/tools/fe-impact/
 [[nodiscard]] DescribedBody read_body_file(const std::string& path);
 
-/// `bar, beam, cone, mass, plate or solid`, for messages and help.
+/// `bar, beam, cone, mass, plate, shell or solid`, for messages and help.
 [[nodiscard]] std::string body_kinds();
 
 }  // namespace impulse
