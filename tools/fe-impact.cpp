@@ -51,7 +51,10 @@ struct Request {
         .quantity("--step", impact.step_s, "s", Sign::positive,
                   "time step of all bodies but the projectile; the force is linear within it")
         .required();
-    command.count("--subcycles", impact.projectile_subcycles, 1, "steps of the projectile within one of the others");
+    command.count(
+        "--subcycles", impact.projectile_subcycles, 1,
+        "steps of the projectile within one of the others; for a mesh as fine as its step permits, else a rigid "
+        "contact zigzags");
     command.quantity("--duration", impact.duration_s, "s", Sign::positive, "duration of the record").required();
     command.count("--projectile-elements", projectile_elements, 1,
                   "elements (default: as many as its step is stable for)");
@@ -62,8 +65,9 @@ struct Request {
     command.choice<ImpactStart>(
         "--start", impact.start,
         {{"impedance", ImpactStart::wave_admittance}, {"held", ImpactStart::held}, {"zero", ImpactStart::zero}},
-        "first force: V/(1/Z1 + 1/Z2), that of the first step, or 0 (as published; the force then zigzags from step to "
-        "step for ever, 15 to 22 % of it in the published cases)");
+        "how the force begins: so that the faces' masses meet within half a step (the record shows V/(1/Z1 + 1/Z2)), "
+        "as the force of the first step, or with 0 (as published). With all but impedance it zigzags from step to step "
+        "for ever where the step is below its limit, from zero by 15 to 22 % of it in the published cases");
     law.declare(command);
     command.quantity("--gap", gaps_m, "m", Sign::non_negative,
                      "gap at t = 0 (default: 0); one for all contacts or one each");
@@ -251,10 +255,11 @@ int main(int argc, char** argv) {
            ". Two bodies may touch at several points (face = \"A,B\"); --between makes a row. With a law, a gap, a "
            "--speed-2, --recontact or --contacts, or several contacts, the record has the columns of ir-impact's. A "
            "rigid contact that closes or opens within a step does so at the nearest sample, order 1 in the step; where "
-           "that matters, take a stiff linear law, of order 2. Against a solid a rigid contact's force swings from "
-           "step to "
-           "step, the more the further the step is below its limit; take the longest step, or a law. A body given by "
-           "its modes gives way by what they leave "
+           "that matters, take a stiff linear law, of order 2. Where rigid contacts close the masses of the faces' "
+           "nodes "
+           "meet like plastic bodies: the energy error is what that costs, and goes with the mesh. Beams by Hermite "
+           "elements carry short waves at any speed: the moments at which rigid contacts on them open do not settle "
+           "with the mesh, only impulses do; take a law. A body given by its modes gives way by what they leave "
            "out, in series with the law; a rigid contact then is that spring. Shares no code with the impulse-response "
            "method.",
        "printf 'body = \"bar\"\\nsegment = [\"0.5m,10mm,steel\"]\\nface = \"A\"\\n' > rod.toml\n"

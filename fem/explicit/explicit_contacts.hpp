@@ -40,7 +40,9 @@ struct ExplicitContactsResult {
 /// force at the samples and the running impulse and the works of the mean forces, so that work_1 + work_2 + stored +
 /// dissipated = 0 to rounding but for the residual flexibility, whose energy the bodies hold. Open where α ≤ α0.
 /// A rigid contact: as explicit_impact matches velocities from the step at whose end α ≥ 0 while the faces still
-/// approach; the force of that sample, F = (v₁ - v₂)/(½Δt Σ cᵀM⁻¹c), exchanges the momentum of the nodes. Contact
+/// approach; the force that begins there (meeting_forces) exchanges the momentum of the faces' masses, on all contacts
+/// that stick at once, and while they stick the bodies move as one mesh does: on a given mesh force and impulse then
+/// have order 2. The record shows it as explicit_impact says; a touch of one step exchanges no more than that. Contact
 /// ends with the third successive sample without compression, at the linear zero of the force; all bodies then return
 /// to its last sample in compression. Bodies that may touch again part with the first such sample, since a wave front
 /// that brings the force back finds them there; in the record that is one contact if they meet again before the third.
@@ -54,12 +56,12 @@ struct ExplicitContactsResult {
 ///
 /// Order 2 for laws. A rigid contact that opens or closes inside a step is of order 1, in time by up to a step, because
 /// the faces' lumped masses meet as one on a sample; a stiff linear law has order 2 (docs/decisions/0007).
-/// Momentum and running impulse agree to rounding. The step must suit the bodies; a law never makes it unstable, but it
-/// is resolved only if the step is short against its duration.
+/// Momentum and running impulse agree to rounding. The step must suit the bodies; a law never makes it unstable, but
+/// must be resolved (require_resolved_law).
 /// @throws std::invalid_argument if bodies, contacts, laws and gaps do not fit each other (require_valid), no contact
-/// closes, a gap is negative, or a table ends before the contact; ConvergenceError if an iteration misses its
-/// tolerance. Verified by: tests/fem/explicit_contacts.test.cpp, explicit_contact.test.cpp,
-/// explicit_law_contact.test.cpp, tests/cross/contacts.test.cpp
+/// closes, a gap is negative, a law is too stiff for the step, or a table ends before the contact; ConvergenceError if
+/// an iteration misses its tolerance. Verified by: tests/fem/explicit_contacts.test.cpp, explicit_contact.test.cpp,
+/// explicit_rigid_contact.test.cpp, explicit_law_contact.test.cpp, tests/cross/contacts.test.cpp
 [[nodiscard]] ExplicitContactsResult explicit_contacts(const std::vector<ExplicitBody>& bodies,
                                                        const ExplicitContacts& contacts);
 

@@ -23,6 +23,7 @@ ExplicitImpactResult explicit_impact(const Structure& projectile, const Structur
                         .force_N = std::move(result.trace.force_N),
                         .velocity_1_m_per_s = std::move(result.trace.velocity_1_m_per_s),
                         .velocity_2_m_per_s = std::move(result.trace.velocity_2_m_per_s),
+                        .acted_impulse_Ns = result.trace.running_impulse_Ns.back(),
                         .separated = !result.in_contact_at_end,
                         .contact_end_s = result.contact_end_s,
                         .energy_error = result.energy_error};

@@ -1,5 +1,7 @@
 #include "fem/explicit/first_forces.hpp"
 
+#include "fem/explicit/step_forces.hpp"
+
 namespace impulse {
 namespace {
 
@@ -43,6 +45,18 @@ std::optional<Eigen::VectorXd> first_forces(const JoinedBodies& bodies, const st
   const Eigen::VectorXd solved = matrix.partialPivLu().solve(v);
   Eigen::VectorXd forces = Eigen::VectorXd::Zero(speed.size());
   for (Eigen::Index k = 0; k < p; ++k) forces[index(closing[static_cast<std::size_t>(k)])] = solved[k];
+  return forces;
+}
+
+MeetingForces meeting_forces(const JoinedBodies& bodies, const std::vector<std::size_t>& closing,
+                             const std::vector<std::size_t>& sticking, double step_s) {
+  const Eigen::VectorXd speed = bodies.closing_speed();
+  MeetingForces forces{{}, first_forces(bodies, closing, speed)};
+  std::vector<std::size_t> held = closing;
+  held.insert(held.end(), sticking.begin(), sticking.end());
+  const TrialStep apart{speed + 0.5 * step_s * bodies.closing_acceleration(), Eigen::VectorXd::Zero(speed.size())};
+  const std::vector<std::optional<LawContact>> no_laws(bodies.contact_count());
+  forces.acting_N = step_forces(bodies, apart, held, StepForce::ramp, no_laws).force_N;
   return forces;
 }
 

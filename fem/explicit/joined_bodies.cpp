@@ -60,24 +60,25 @@ double JoinedBodies::flight_speed(std::size_t contact) const {
   return speeds_[joints_[contact].body_1] - speeds_[joints_[contact].body_2];
 }
 
-Eigen::VectorXd JoinedBodies::closing_speed() const {
-  Eigen::VectorXd speed(index(joints_.size()));
-  for (std::size_t i = 0; i < joints_.size(); ++i) speed[index(i)] = flight_speed(i);
-  for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const Eigen::VectorXd own = bodies[b].face_velocity();
-    for (std::size_t k = 0; k < joint_of_[b].size(); ++k) speed[index(joint_of_[b][k])] -= own[index(k)];
-  }
-  return speed;
-}
-
-Eigen::VectorXd JoinedBodies::taken_back_m() const {
+Eigen::VectorXd JoinedBodies::sum_of_faces(Eigen::VectorXd (StrikingBody::*motion)() const) const {
   Eigen::VectorXd sum = Eigen::VectorXd::Zero(index(joints_.size()));
   for (std::size_t b = 0; b < bodies.size(); ++b) {
-    const Eigen::VectorXd own = bodies[b].face_displacement();
+    const Eigen::VectorXd own = (bodies[b].*motion)();
     for (std::size_t k = 0; k < joint_of_[b].size(); ++k) sum[index(joint_of_[b][k])] += own[index(k)];
   }
   return sum;
 }
+
+Eigen::VectorXd JoinedBodies::closing_speed() const {
+  Eigen::VectorXd speed(index(joints_.size()));
+  for (std::size_t i = 0; i < joints_.size(); ++i) speed[index(i)] = flight_speed(i);
+  speed -= sum_of_faces(&StrikingBody::face_velocity);
+  return speed;
+}
+
+Eigen::VectorXd JoinedBodies::closing_acceleration() const { return -sum_of_faces(&StrikingBody::face_acceleration); }
+
+Eigen::VectorXd JoinedBodies::taken_back_m() const { return sum_of_faces(&StrikingBody::face_displacement); }
 
 void JoinedBodies::integrate(const std::vector<StepLoad>& loads) {
   for (std::size_t b = 0; b < bodies.size(); ++b) {

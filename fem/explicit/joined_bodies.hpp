@@ -33,6 +33,9 @@ class JoinedBodies {
   /// Of the contacts, now [m/s].
   [[nodiscard]] Eigen::VectorXd closing_speed() const;
 
+  /// How fast that changes under the forces that act now [m/s²].
+  [[nodiscard]] Eigen::VectorXd closing_acceleration() const;
+
   /// How far the departures have taken the contacts back from the flight before impact, but for residual flexibility
   /// [m].
   [[nodiscard]] Eigen::VectorXd taken_back_m() const;
@@ -73,6 +76,7 @@ class JoinedBodies {
   };
   [[nodiscard]] StepMobility mobility_of(const std::vector<Pair>& responses) const;
   void find_residual();
+  [[nodiscard]] Eigen::VectorXd sum_of_faces(Eigen::VectorXd (StrikingBody::*motion)() const) const;
 
   std::vector<double> speeds_;
   std::vector<RowJoint> joints_;

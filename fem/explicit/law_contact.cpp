@@ -64,6 +64,12 @@ double LawContact::end_indentation(double free, double compliance) const {
   return bracketed_root(excess, high - width, high, {.absolute = 1e-17 * scale, .relative = 1e-15});
 }
 
+double LawContact::stiffness_ratio(double compliance) const {
+  if (!in_contact() || indentation_m_ < history_.largest_indentation_m) return 0;
+  const double tangent = law_.tangent(indentation_m_, history_);
+  return compliance * tangent / (1 + residual_ * tangent);
+}
+
 double LawContact::force_N() const { return open_for_good_ ? 0 : law_.force(indentation_m_, history_); }
 
 double LawContact::stored_J() const { return open_for_good_ ? 0 : law_.stored_energy(indentation_m_, history_); }

@@ -46,6 +46,10 @@ class LawContact {
   [[nodiscard]] double dissipated_J() const { return history_.dissipated_J; }
   [[nodiscard]] double residual_J() const { return 0.5 * residual_ * force_N() * force_N(); }
 
+  /// κ of require_resolved_law on the loading curve, R in series, for the approach `compliance` that a unit force takes
+  /// back within a step; 0 elsewhere.
+  [[nodiscard]] double stiffness_ratio(double compliance_m_per_N) const;
+
   /// How deep beyond where the contact opens; negative where it is open [m].
   [[nodiscard]] double depth_m() const { return indentation_m_ - law_.permanent_indentation(history_); }
 

@@ -33,7 +33,7 @@ struct StepForces {
 ///
 /// F̄_i as LawContact says. The x_j are eliminated; what remains is iterated contact by contact where several laws feel
 /// each other within a step, which for one law ends at once.
-/// @throws ConvergenceError if 500 rounds do not bring the forces to rest within 1e-13 of the largest.
+/// @throws ConvergenceError if 500 rounds do not bring the forces to rest within 2e-11 of the largest.
 /// Verified by: tests/fem/explicit_contacts.test.cpp
 [[nodiscard]] StepForces step_forces(const JoinedBodies& bodies, const TrialStep& trial,
                                      const std::vector<std::size_t>& sticking, StepForce shape,

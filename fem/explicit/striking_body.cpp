@@ -8,13 +8,13 @@ StrikingBody::StrikingBody(const Structure& body, double step_s, std::size_t sub
     : now{MotionState::at_rest(body.mass.rows()), 0},
       structure_(body),
       contacts_(body.contacts.sparseView()),
-      face_acceleration_(body.contacts),
+      acceleration_per_force_(body.contacts),
       stepper_(body, step_s / static_cast<double>(subcycles)),
       subcycles_(subcycles),
       load_(Eigen::VectorXd::Zero(body.mass.rows())),
       forces_(Eigen::VectorXd::Zero(body.contacts.cols())) {
   const MassSolver mass(body.mass);
-  for (Eigen::Index k = 0; k < contact_count(); ++k) face_acceleration_.col(k) = mass.solved(body.contacts.col(k));
+  for (Eigen::Index k = 0; k < contact_count(); ++k) acceleration_per_force_.col(k) = mass.solved(body.contacts.col(k));
 }
 
 void StrikingBody::fill_load(const Eigen::VectorXd& forces) {

@@ -37,7 +37,7 @@ class StrikingBody {
 
   /// Takes a constant force out of the acceleration that it put there: what set_forces without it would find, for less.
   void drop_force(Eigen::Index contact, double force) {
-    now.motion.acceleration -= force * face_acceleration_.col(contact);
+    now.motion.acceleration -= force * acceleration_per_force_.col(contact);
   }
 
   /// Through a step of the row, one load a contact. A load that reaches zero inside the step has its samples scaled so
@@ -49,6 +49,9 @@ class StrikingBody {
   /// Of the contacts, into the body [m/s].
   [[nodiscard]] Eigen::VectorXd face_velocity() const { return contacts_.transpose() * now.motion.velocity; }
 
+  /// Of the contacts, into the body [m/s²].
+  [[nodiscard]] Eigen::VectorXd face_acceleration() const { return contacts_.transpose() * now.motion.acceleration; }
+
   /// Of the contacts, into the body, but for the residual flexibility [m].
   [[nodiscard]] Eigen::VectorXd face_displacement() const { return contacts_.transpose() * now.motion.displacement; }
 
@@ -57,7 +60,7 @@ class StrikingBody {
 
   /// cᵀM⁻¹c [1/kg]: how fast a face moves under a unit force when nothing behind it does.
   [[nodiscard]] double face_mobility(Eigen::Index contact) const {
-    return contacts_.col(contact).dot(face_acceleration_.col(contact));
+    return contacts_.col(contact).dot(acceleration_per_force_.col(contact));
   }
 
   [[nodiscard]] double kinetic_energy() const;
@@ -84,7 +87,7 @@ class StrikingBody {
 
   const Structure& structure_;
   Eigen::SparseMatrix<double> contacts_;
-  Eigen::MatrixXd face_acceleration_;  // M⁻¹c
+  Eigen::MatrixXd acceleration_per_force_;  // M⁻¹c
   CentralDifference stepper_;
   std::size_t subcycles_;
   std::size_t step_count_ = 0;

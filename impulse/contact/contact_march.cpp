@@ -3,6 +3,7 @@
 #include "impulse/contact/contact_state.hpp"
 #include "lib/contract/errors.hpp"
 #include "lib/contract/require.hpp"
+#include "lib/law/resolved_law.hpp"
 
 #include <algorithm>
 #include <cmath>
@@ -39,14 +40,6 @@ void require_consistent(const UniformGrid& grid, const std::vector<MarchedContac
   }
 }
 
-void require_resolved(const ContactState& contact, std::size_t number, double step_s) {
-  const double ratio = contact.stiffness_ratio();
-  require(ratio <= 2,
-          "contact {}: a step of {:.4g} s is too long for its law, which is so stiff that the force would alternate "
-          "from step to step; use a step of {:.2g} s, or --law rigid",
-          number, step_s, step_s / ratio);
-}
-
 class March {
  public:
   March(const UniformGrid& grid, const std::vector<MarchedContact>& given, ForceHistory& history)
@@ -73,7 +66,7 @@ class March {
       settle(n);
       for (std::size_t i = 0; i < contacts_.size(); ++i) {
         contacts_[i].accept(force_[i], free_[i]);
-        require_resolved(contacts_[i], i + 1, grid_.step_s);
+        require_resolved_law(contacts_[i].stiffness_ratio(), i + 1, grid_.step_s);
         contacts_[i].finish_if_open(recontact);
         beyond_preload_[i] = force_[i] - contacts_[i].preload();
       }
