@@ -60,15 +60,15 @@ struct Request {
     if (body.is_clockwise())
       fmt::print(stderr,
                  "ir-plate: the corners go round clockwise; edges and fractions count from corner 1 as given\n");
-    DenseStructure structure = body.structure(plate);
+    StruckPlate struck = body.struck(plate);
+    DenseStructure& structure = struck.structure;
     if (condition) tell_condition(structure);
     if (motion.under_force() || motion.wants_shapes()) structure.outputs = motion.outputs(plate);
     if (motion.under_force()) {
       const UniformSeries force = motion.force();
       const double nyquist = modal.mode_count() ? std::numeric_limits<double>::infinity() : 0.5 / force.grid.step_s;
       ModalModel model = modes(structure, nyquist);
-      if (structure.residual_flexibility.size() > 0)
-        motion.add_local_flexibility(body.struck_points()[0], structure.residual_flexibility(0, 0), model);
+      if (struck.missing) model.residual_outputs += motion.missing_outputs(plate, *struck.missing);
       motion.write_motion(modal.output(), plate, model, force);
       return;
     }

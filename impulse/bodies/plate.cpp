@@ -9,7 +9,7 @@
 namespace impulse {
 namespace {
 
-EdgeSupport edge_support(char letter, const std::string& letters) {
+HeldEdge held_edge(char letter, const std::string& letters) {
   switch (letter) {
     case 'C':
       return {true, true, true, true, true};
@@ -37,10 +37,10 @@ double length_along_y(const PlateShape& shape) {
 
 }  // namespace
 
-std::array<EdgeSupport, 4> parse_plate_edges(const std::string& letters) {
+std::array<HeldEdge, 4> parse_plate_edges(const std::string& letters) {
   require(letters.size() == 4, "edges '{}' are {}, not four letters such as SSSS", letters, letters.size());
-  std::array<EdgeSupport, 4> edges;
-  for (std::size_t i = 0; i < 4; ++i) edges[i] = edge_support(letters[i], letters);
+  std::array<HeldEdge, 4> edges;
+  for (std::size_t i = 0; i < 4; ++i) edges[i] = held_edge(letters[i], letters);
   return edges;
 }
 

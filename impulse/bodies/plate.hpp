@@ -11,7 +11,7 @@ namespace impulse {
 
 /// What an edge holds at zero: the deflection w, the displacement in the plane normal to the edge and along it, and the
 /// rotation φ of the normal in the same two directions (φ normal to the edge is bending about the edge).
-struct EdgeSupport {
+struct HeldEdge {
   bool deflection = false;
   bool normal_displacement = false;
   bool tangential_displacement = false;
@@ -19,7 +19,7 @@ struct EdgeSupport {
   bool tangential_rotation = false;
 };
 
-/// Springs along an edge, in the directions of EdgeSupport, per unit length of the edge.
+/// Springs along an edge, in the directions of HeldEdge, per unit length of the edge.
 struct EdgeSprings {
   double deflection_N_per_m2 = 0;
   double normal_displacement_N_per_m2 = 0;
@@ -32,7 +32,7 @@ struct EdgeSprings {
 /// rotation; S w, the normal displacement and the tangential rotation; T w, the tangential displacement and rotation; W
 /// w only.
 /// @throws std::invalid_argument naming the letter. Verified by: tests/impulse/ritz_plate.test.cpp
-[[nodiscard]] std::array<EdgeSupport, 4> parse_plate_edges(const std::string& letters);
+[[nodiscard]] std::array<HeldEdge, 4> parse_plate_edges(const std::string& letters);
 
 /// A laminated plate, or a panel curved along y. z points in the direction of the force, into the plate.
 struct Plate {
@@ -47,7 +47,7 @@ struct Plate {
 
   PlateShape shape;
   Laminate laminate;
-  std::array<EdgeSupport, 4> edges{};
+  std::array<HeldEdge, 4> edges{};
   std::array<EdgeSprings, 4> springs{};
   Theory theory = Theory::shear;
   InPlane in_plane = InPlane::when_coupled;

@@ -1,7 +1,7 @@
 #pragma once
 
-#include "impulse/bodies/plate.hpp"
-#include "impulse/bodies/tensor_form.hpp"
+#include "impulse/bodies/plate_kinematics.hpp"
+#include "impulse/bodies/ritz_basis.hpp"
 #include "lib/model/structure.hpp"
 
 #include <Eigen/Dense>
@@ -14,23 +14,31 @@ namespace impulse {
 
 /// A plate as a Ritz body (Kapania and Lovejoy): u, v, w and, with shear deformation, the rotations φx, φy of the
 /// normal are double series of `terms` × `terms` polynomials in the coordinates (ξ, η) of the quadrilateral, T₀ ...
-/// Tₙ₋₁ recombined (RitzBasis). With c = -curvature (w points into the convex side):
+/// Tₙ₋₁ recombined (RitzBasis). With the strains (ε, κ, γ) of plate_kinematics.hpp
 ///
-///   ε = (u_x, v_y + c w, u_y + v_x) + z κ,   κ = (φx_x, φy_y, φx_y + φy_x),   γ = (w_y + φy - c v, w_x + φx)
-///   U = ½ ∫ εᵀ [A B; B D] ε + γᵀ k S γ dA,   T = ½ ∫ I₀(u̇² + v̇² + ẇ²) + 2 I₁(u̇φ̇x + v̇φ̇y) + I₂(φ̇x² + φ̇y²) dA
+///   U = ½ ∫ [ε κ] [A B; B D] [ε κ]ᵀ + γᵀ k S γ dA,   T = ½ ∫ I₀(u̇² + v̇² + ẇ²) + 2 I₁(u̇φ̇x + v̇φ̇y) + I₂(φ̇x² + φ̇y²) dA
 ///
-/// `thin` has φx = -w_x, φy = -w_y + c v in their place and, as classical plates do, no rotary inertia: I₁ = I₂ = 0.
-/// Edge conditions hold exactly, since they concern single functions of the basis; springs add to U. u and v are left
-/// out unless moves_in_plane(plate). [KapaniaLovejoy1996]. Verified by: tests/impulse/ritz_plate.test.cpp,
-/// tests/impulse/ritz_plate_published.test.cpp
+/// where `thin` has, as classical plates do, no rotary inertia: I₁ = I₂ = 0.
+/// Edge conditions hold exactly, since they concern single functions of the basis; springs add to U.
+/// [KapaniaLovejoy1996]. Verified by: tests/impulse/ritz_plate.test.cpp, tests/impulse/ritz_plate_published.test.cpp
 class RitzPlate {
  public:
   /// @throws std::invalid_argument as require_valid(plate) and RitzBasis, and if the edges hold every term.
   RitzPlate(const Plate& plate, std::size_t terms);
 
-  [[nodiscard]] Eigen::Index unknown_count() const { return free_.cols(); }
+  [[nodiscard]] Eigen::Index unknown_count() const { return coefficients_.cols(); }
   [[nodiscard]] std::size_t term_count() const { return static_cast<std::size_t>(values_.size()); }
   [[nodiscard]] const Plate& plate() const { return plate_; }
+
+  /// Coefficients of all series, those of the fields one after the other, from the unknowns.
+  [[nodiscard]] const Eigen::SparseMatrix<double>& coefficients() const { return coefficients_; }
+
+  /// K and M of all coefficients, as if the edges held nothing.
+  [[nodiscard]] Eigen::MatrixXd unheld_stiffness() const;
+  [[nodiscard]] Eigen::MatrixXd unheld_mass() const;
+
+  /// Work of loads on all coefficients.
+  [[nodiscard]] Eigen::VectorXd unheld_work(const std::vector<PlateLoad>& loads) const;
 
   /// K [N/m] and M [kg], without contacts. Cost: 2 n⁴ Q operations for every pair of fields, n terms, Q points a side.
   [[nodiscard]] DenseStructure structure() const;
@@ -46,19 +54,14 @@ class RitzPlate {
   [[nodiscard]] Eigen::MatrixXd strains(const Eigen::Vector2d& reference, double z_m) const;
 
  private:
-  enum class Part { strains, velocities };
-  [[nodiscard]] std::vector<FormField> fields(Part part) const;
-  [[nodiscard]] Eigen::MatrixXd stiffness_weight() const;
-  [[nodiscard]] Eigen::MatrixXd mass_weight() const;
-  [[nodiscard]] Eigen::VectorXd functional(const std::vector<FormField>& fields, Eigen::Index row,
-                                           const Eigen::Vector2d& reference) const;
-  [[nodiscard]] Eigen::MatrixXd spring_stiffness() const;
-  void hold_edges();
+  [[nodiscard]] std::vector<FormField> on_series(const std::vector<FieldOperator>& fields) const;
+  [[nodiscard]] Eigen::MatrixXd of_unknowns(const Eigen::MatrixXd& form) const;
+  void add_springs(Eigen::MatrixXd& stiffness) const;
 
   Plate plate_;
-  RitzBasis values_;                  ///< of u, v and the rotations
-  RitzBasis slopes_;                  ///< of w in `thin`
-  Eigen::SparseMatrix<double> free_;  ///< coefficients from unknowns
+  RitzBasis values_;                          ///< of u, v and the rotations
+  RitzBasis slopes_;                          ///< of w in `thin`
+  Eigen::SparseMatrix<double> coefficients_;  ///< from unknowns
 };
 
 }  // namespace impulse

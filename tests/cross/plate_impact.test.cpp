@@ -3,7 +3,7 @@
 #include "fem/bodies/mass_structure.hpp"
 #include "fem/bodies/modal_structure.hpp"
 #include "fem/explicit/explicit_contact.hpp"
-#include "impulse/bodies/point_flexibility.hpp"
+#include "impulse/bodies/missing_answer.hpp"
 #include "impulse/bodies/ritz_plate.hpp"
 #include "impulse/contact/contacts_problem.hpp"
 #include "impulse/response/mass_response.hpp"
@@ -34,7 +34,7 @@ DenseStructure struck_in_the_middle(const PlateShape& shape, const char* layup, 
   const RitzPlate ritz(plate, terms);
   DenseStructure body = ritz.structure();
   body.contacts = ritz.deflection({0, 0});
-  body.residual_flexibility = missing_point_flexibility(ritz, {{0, 0}}).asDiagonal();
+  body.residual_flexibility = MissingAnswer(ritz, body, {{0, 0}}).flexibility();
   return body;
 }
 

@@ -17,7 +17,7 @@ DescribedBody read_plate_body(const TomlFile& file) {
   const DenseStructure plate = [&] {
     try {
       if (options.point_count() == 0) throw UsageError("--at", "is required");
-      return options.structure(options.plate());
+      return options.struck(options.plate()).structure;
     } catch (const InputError&) {
       throw;
     } catch (const std::exception& error) {

@@ -110,12 +110,22 @@ void PlateMotion::write_field(const std::string& path, const RitzPlate& plate, c
   write_csv(path, columns);
 }
 
-void PlateMotion::add_local_flexibility(const Eigen::Vector2d& struck, double flexibility_m_per_N,
-                                        ModalModel& modes) const {
+Eigen::VectorXd PlateMotion::missing_outputs(const RitzPlate& plate, const MissingAnswer& missing) const {
+  if (output_at_.empty()) {
+    const std::vector<Eigen::Vector2d> points = grid_points();
+    Eigen::VectorXd result(points.size());
+    for (std::size_t i = 0; i < points.size(); ++i)
+      result(static_cast<Eigen::Index>(i)) = missing.deflection(points[i])(0);
+    return result;
+  }
   const std::vector<Eigen::Vector2d> points = PlateOptions::reference_points("--output-at", output_at_);
+  const double face = plate.plate().laminate.thickness_m / 2;
+  Eigen::VectorXd result(outputs_per_point * static_cast<Eigen::Index>(points.size()));
   for (std::size_t i = 0; i < points.size(); ++i)
-    if ((points[i] - struck).norm() < 1e-9)
-      modes.residual_outputs(outputs_per_point * static_cast<Eigen::Index>(i), 0) += flexibility_m_per_N;
+    result.segment<outputs_per_point>(outputs_per_point * static_cast<Eigen::Index>(i))
+        << missing.deflection(points[i])(0),
+        missing.strains(points[i], -face).col(0), missing.strains(points[i], face).col(0);
+  return result;
 }
 
 void PlateMotion::write_shapes(const RitzPlate& plate, const ModalModel& modes) const {

@@ -29,8 +29,8 @@ class PlateMotion {
   /// Functionals for Structure's outputs: deflections on the grid of the field or shapes, or what histories show.
   [[nodiscard]] Eigen::MatrixXd outputs(const RitzPlate& plate) const;
 
-  /// Adds to the histories at the point struck what the plate yields there beyond its series.
-  void add_local_flexibility(const Eigen::Vector2d& struck, double flexibility_m_per_N, ModalModel& modes) const;
+  /// What the series lack of the outputs' static answer, per N.
+  [[nodiscard]] Eigen::VectorXd missing_outputs(const RitzPlate& plate, const MissingAnswer& missing) const;
 
   void write_shapes(const RitzPlate& plate, const ModalModel& modes) const;
   void write_motion(const std::string& path, const RitzPlate& plate, const ModalModel& modes,

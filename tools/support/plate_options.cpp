@@ -1,6 +1,5 @@
 #include "tools/support/plate_options.hpp"
 
-#include "impulse/bodies/point_flexibility.hpp"
 #include "lib/contract/errors.hpp"
 #include "lib/csv/csv_table.hpp"
 
@@ -15,18 +14,18 @@ namespace {
 struct SpringColumn {
   const char* name;
   double EdgeSprings::*stiffness;
-  bool EdgeSupport::*held;
+  bool HeldEdge::*held;
   const char* motion;
 };
 
 constexpr std::array<SpringColumn, 5> spring_columns{{
-    {"deflection_N_per_m2", &EdgeSprings::deflection_N_per_m2, &EdgeSupport::deflection, "deflection"},
-    {"normal_displacement_N_per_m2", &EdgeSprings::normal_displacement_N_per_m2, &EdgeSupport::normal_displacement,
+    {"deflection_N_per_m2", &EdgeSprings::deflection_N_per_m2, &HeldEdge::deflection, "deflection"},
+    {"normal_displacement_N_per_m2", &EdgeSprings::normal_displacement_N_per_m2, &HeldEdge::normal_displacement,
      "normal displacement"},
     {"tangential_displacement_N_per_m2", &EdgeSprings::tangential_displacement_N_per_m2,
-     &EdgeSupport::tangential_displacement, "tangential displacement"},
-    {"normal_rotation_N", &EdgeSprings::normal_rotation_N, &EdgeSupport::normal_rotation, "normal rotation"},
-    {"tangential_rotation_N", &EdgeSprings::tangential_rotation_N, &EdgeSupport::tangential_rotation,
+     &HeldEdge::tangential_displacement, "tangential displacement"},
+    {"normal_rotation_N", &EdgeSprings::normal_rotation_N, &HeldEdge::normal_rotation, "normal rotation"},
+    {"tangential_rotation_N", &EdgeSprings::tangential_rotation_N, &HeldEdge::tangential_rotation,
      "tangential rotation"},
 }};
 
@@ -47,7 +46,7 @@ void require_known_columns(const CsvTable& table) {
   if (!any) throw InputError(table.file(), 1, 0, "no column of springs, deflection_N_per_m2 say");
 }
 
-std::array<EdgeSprings, 4> read_springs(const std::string& path, const std::array<EdgeSupport, 4>& supports) {
+std::array<EdgeSprings, 4> read_springs(const std::string& path, const std::array<HeldEdge, 4>& supports) {
   const CsvTable table = read_csv(path);
   require_known_columns(table);
   std::array<EdgeSprings, 4> springs{};
@@ -175,7 +174,7 @@ std::vector<Eigen::Vector2d> PlateOptions::reference_points(const std::string& f
   return points;
 }
 
-DenseStructure PlateOptions::structure(const RitzPlate& plate) const {
+StruckPlate PlateOptions::struck(const RitzPlate& plate) const {
   const std::vector<Eigen::Vector2d> points = struck_points();
   if (!points.empty() && theory_ == Plate::Theory::shear && !patch_radius_m_)
     throw UsageError("--patch-radius",
@@ -194,11 +193,13 @@ DenseStructure PlateOptions::structure(const RitzPlate& plate) const {
       throw UsageError("--at",
                        fmt::format("{},{} is held; a force there moves nothing", at_[2 * static_cast<std::size_t>(i)],
                                    at_[2 * static_cast<std::size_t>(i) + 1]));
-  DenseStructure body = plate.structure();
-  body.contacts = contacts;
-  if (theory_ == Plate::Theory::thin && !patch_radius_m_ && !points.empty())
-    body.residual_flexibility = missing_point_flexibility(plate, points).asDiagonal();
-  return body;
+  StruckPlate struck{plate.structure(), {}};
+  struck.structure.contacts = contacts;
+  if (theory_ == Plate::Theory::thin && !patch_radius_m_ && !points.empty()) {
+    struck.missing.emplace(plate, struck.structure, points);
+    struck.structure.residual_flexibility = struck.missing->flexibility();
+  }
+  return struck;
 }
 
 }  // namespace impulse

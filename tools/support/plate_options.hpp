@@ -1,5 +1,6 @@
 #pragma once
 
+#include "impulse/bodies/missing_answer.hpp"
 #include "impulse/bodies/ritz_plate.hpp"
 #include "lib/cli/command.hpp"
 #include "lib/cli/laminate_options.hpp"
@@ -9,6 +10,12 @@
 #include <vector>
 
 namespace impulse {
+
+/// A plate as it is struck.
+struct StruckPlate {
+  DenseStructure structure;              ///< with a contact for every point struck: a patch, or a point of a thin plate
+  std::optional<MissingAnswer> missing;  ///< of a thin plate under point forces
+};
 
 /// The options that describe a plate (body "plate") and where it is struck, on the command line of `ir-plate` or as the
 /// keys of a body file.
@@ -20,9 +27,8 @@ class PlateOptions {
   /// @throws UsageError naming the option; InputError for the file of springs.
   [[nodiscard]] RitzPlate plate() const;
 
-  /// The plate's matrices with a contact for every point struck: a patch, or a point of a thin plate.
   /// @throws UsageError for a point outside, a patch that leaves the plate, and a point force in shear theory.
-  [[nodiscard]] DenseStructure structure(const RitzPlate& plate) const;
+  [[nodiscard]] StruckPlate struck(const RitzPlate& plate) const;
 
   /// Whether the corners go round clockwise, which is accepted but worth telling.
   [[nodiscard]] bool is_clockwise() const;
