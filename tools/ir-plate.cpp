@@ -1,3 +1,4 @@
+#include "lib/cli/progress.hpp"
 #include "lib/cli/run_tool.hpp"
 #include "lib/contract/errors.hpp"
 #include "lib/model/modal_model.hpp"
@@ -8,6 +9,7 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstdio>
 #include <limits>
 
@@ -55,8 +57,31 @@ struct Request {
                                    .residual = structure.contacts.cols() > 0 ? Residual::attached : Residual::none});
   }
 
+  void tell_doubts(const RitzPlate& plate, const ModalModel& model) const {
+    for (Eigen::Index i = 0; i < model.contact_count(); ++i) {
+      double flexibility = model.residual_flexibility(i, i);
+      for (Eigen::Index k = 0; k < model.mode_count(); ++k)
+        if (model.angular_frequency(k) > 0)
+          flexibility += std::pow(model.participation(k, i) / model.angular_frequency(k), 2);
+      if (const auto doubt = body.patch_doubt(plate, static_cast<std::size_t>(i), flexibility)) {
+        fmt::print(stderr, "ir-plate: {}\n", *doubt);
+        return;
+      }
+    }
+  }
+
+  /// LAPACK doesn't tell how far it has come, so a person is told beforehand.
+  static void tell_duration(const RitzPlate& plate) {
+    const auto n = static_cast<double>(plate.unknown_count());
+    const double seconds = 2e-10 * n * n * n;  // of one core of 2020, within a factor of three
+    if (seconds > 2 && stderr_is_terminal())
+      fmt::print(stderr, "ir-plate: {} unknowns, which take roughly {:.0f} s (the sixth power of --terms)\n", n,
+                 seconds);
+  }
+
   void run() const {
     const RitzPlate plate = body.plate();
+    tell_duration(plate);
     if (body.is_clockwise())
       fmt::print(stderr,
                  "ir-plate: the corners go round clockwise; edges and fractions count from corner 1 as given\n");
@@ -69,10 +94,12 @@ struct Request {
       const double nyquist = modal.mode_count() ? std::numeric_limits<double>::infinity() : 0.5 / force.grid.step_s;
       ModalModel model = modes(structure, nyquist);
       if (struck.missing) model.residual_outputs += motion.missing_outputs(plate, *struck.missing);
+      tell_doubts(plate, model);
       motion.write_motion(modal.output(), plate, model, force);
       return;
     }
     const ModalModel model = modes(structure, modal.highest_frequency_Hz());
+    tell_doubts(plate, model);
     if (motion.wants_shapes()) motion.write_shapes(plate, model);
     modal.write(model);
   }

@@ -226,6 +226,10 @@ void add_translation(const AxisymmetricSolid& solid, SolidStructure& body, Index
 
 }  // namespace
 
+void require_circle(const TriangleMesh& mesh, const SolidContact& contact) {
+  (void)circle_nodes(mesh, Places(mesh), contact);
+}
+
 Eigen::Matrix<double, Eigen::Dynamic, 2> SolidStructure::nodal(const Eigen::Ref<const Eigen::VectorXd>& u) const {
   return freedoms.unaryExpr([&u](Index freedom) { return freedom < 0 ? 0.0 : u(freedom); });
 }

@@ -40,6 +40,9 @@ struct AxisymmetricSolid {
   MassMatrix mass = MassMatrix::consistent;  ///< lumped: HRZ, see axisymmetric_triangle.hpp
 };
 
+/// @throws std::invalid_argument unless the circle of a contact is a line of nodes round the axis.
+void require_circle(const TriangleMesh& mesh, const SolidContact& contact);
+
 /// Volume integral of the density [kg].
 [[nodiscard]] double mass_kg(const AxisymmetricSolid& solid);
 

@@ -59,6 +59,8 @@ Eigen::MatrixXd patch_means(const Beam& beam, double patch, const MappedMesh& me
   return means;
 }
 
+}  // namespace
+
 void require_patches(const Beam& beam, double patch) {
   require(std::isfinite(patch) && patch > 0,
           "plane stress needs a patch to press on (under a line of force the displacement has no limit); give its "
@@ -69,8 +71,6 @@ void require_patches(const Beam& beam, double patch) {
             "the patch of {:g} m about {:g} of the length reaches beyond the beam's end; use a shorter patch", patch,
             at);
 }
-
-}  // namespace
 
 Structure plane_stress_beam(const Beam& beam, const BeamModel& model, const BeamMesh& mesh) {
   require_patches(beam, model.patch_length_m);

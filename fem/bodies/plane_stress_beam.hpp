@@ -4,6 +4,9 @@
 
 namespace impulse {
 
+/// @throws std::invalid_argument unless every patch lies on the beam.
+void require_patches(const Beam& beam, double patch_length_m);
+
 /// The plane-stress part of beam_structure.hpp.
 [[nodiscard]] Structure plane_stress_beam(const Beam& beam, const BeamModel& model, const BeamMesh& mesh);
 

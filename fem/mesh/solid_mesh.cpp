@@ -23,24 +23,11 @@ constexpr double same_radius = 1e-9;
 
 bool same(double a, double b) { return std::abs(a - b) <= same_radius * std::max(a, b); }
 
-void require_options(const Profile& profile, const std::vector<MeshedCircle>& circles,
-                     const SolidMeshOptions& options) {
-  require_valid(Bar{.profile = profile});
+void require_options(const SolidMeshOptions& options) {
   require(std::isfinite(options.growth) && options.growth > 1, "growth {} of the elements is not above 1",
           options.growth);
   require(std::isfinite(options.largest_per_radius) && options.largest_per_radius > 0,
           "largest element size {} per radius is not positive", options.largest_per_radius);
-  for (const MeshedCircle& circle : circles) {
-    require(std::isfinite(circle.radius_m) && circle.radius_m > 0, "contact radius {} m is not positive",
-            circle.radius_m);
-    require(std::isfinite(circle.size_m) && circle.size_m > 0, "mesh size {} m at the contact is not positive",
-            circle.size_m);
-    const bool is_a = circle.face == Face::a;
-    const double face = (is_a ? profile.front().diameter_a_m : profile.back().diameter_b_m) / 2;
-    require(circle.radius_m < face || same(circle.radius_m, face),
-            "contact radius {:.6g} m is larger than face {}, whose radius is {:.6g} m; use that or less",
-            circle.radius_m, is_a ? "A" : "B", face);
-  }
 }
 
 /// Wanted size of the elements anywhere in the section.
@@ -165,9 +152,25 @@ void draw(const Profile& profile, const std::vector<MeshedCircle>& circles) {
 
 }  // namespace
 
+void require_circles(const Profile& profile, const std::vector<MeshedCircle>& circles) {
+  require_valid(Bar{.profile = profile});
+  for (const MeshedCircle& circle : circles) {
+    require(std::isfinite(circle.radius_m) && circle.radius_m > 0, "contact radius {} m is not positive",
+            circle.radius_m);
+    require(std::isfinite(circle.size_m) && circle.size_m > 0, "mesh size {} m at the contact is not positive",
+            circle.size_m);
+    const bool is_a = circle.face == Face::a;
+    const double face = (is_a ? profile.front().diameter_a_m : profile.back().diameter_b_m) / 2;
+    require(circle.radius_m < face || same(circle.radius_m, face),
+            "contact radius {:.6g} m is larger than face {}, whose radius is {:.6g} m; use that or less",
+            circle.radius_m, is_a ? "A" : "B", face);
+  }
+}
+
 TriangleMesh solid_mesh(const Profile& profile, const std::vector<MeshedCircle>& circles,
                         const SolidMeshOptions& options) {
-  require_options(profile, circles, options);
+  require_circles(profile, circles);
+  require_options(options);
   const SizeField size(profile, circles, options);
   const double estimate = size.element_estimate();
   require(estimate <= most_elements,

@@ -19,6 +19,9 @@ struct SolidMeshOptions {
   double largest_per_radius = 0.25;  ///< > 0; but nowhere more than this part of the body's radius there
 };
 
+/// @throws std::invalid_argument for an invalid chain and a circle larger than its face.
+void require_circles(const Profile& profile, const std::vector<MeshedCircle>& circles);
+
 /// 6-node triangles of half a meridian section of a chain of segments: end A at z = 0, r from the axis; region i is
 /// segment i. Meshed by Gmsh (frontal Delaunay): the same input gives the same mesh.
 /// See docs/decisions/0010-solid-meshes.md.

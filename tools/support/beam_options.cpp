@@ -1,5 +1,7 @@
 #include "tools/support/beam_options.hpp"
 
+#include "fem/bodies/plane_stress_beam.hpp"
+#include "lib/cli/blamed_on.hpp"
 #include "lib/contract/errors.hpp"
 
 #include <string>
@@ -67,6 +69,7 @@ BeamModel BeamOptions::model() const {
     throw UsageError("--material", "plane stress needs Poisson's ratio; add it after a colon, as in steel:0.3");
   model.quadrilateral = quadrilateral_.value_or(Quadrilateral::bilinear);
   model.patch_length_m = *patch_length_m_;
+  blamed_on("--patch-length", [&] { require_patches(beam(), model.patch_length_m); });
   return model;
 }
 

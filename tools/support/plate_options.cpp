@@ -1,5 +1,6 @@
 #include "tools/support/plate_options.hpp"
 
+#include "lib/cli/blamed_on.hpp"
 #include "lib/contract/errors.hpp"
 #include "lib/csv/csv_table.hpp"
 
@@ -7,6 +8,7 @@
 
 #include <array>
 #include <cmath>
+#include <numbers>
 
 namespace impulse {
 namespace {
@@ -72,14 +74,15 @@ std::array<EdgeSprings, 4> read_springs(const std::string& path, const std::arra
   return springs;
 }
 
-/// The message of a refusal under the name of the option that it is about.
-template <class Function>
-auto blamed_on(const char* flag, Function&& function) {
-  try {
-    return function();
-  } catch (const std::invalid_argument& error) {
-    throw UsageError(flag, error.what());
-  }
+/// Springs in the plane do something only to a plate that moves in it.
+void require_moving(const Plate& plate) {
+  if (moves_in_plane(plate)) return;
+  for (std::size_t i = 0; i < 4; ++i)
+    if (plate.springs[i].normal_displacement_N_per_m2 > 0 || plate.springs[i].tangential_displacement_N_per_m2 > 0)
+      throw UsageError("--edge-springs",
+                       fmt::format("edge {} has springs against displacement in the plane, where nothing moves a flat "
+                                   "plate without coupling; leave them out, or ask for --in-plane always",
+                                   i + 1));
 }
 
 }  // namespace
@@ -124,7 +127,9 @@ PlateShape PlateOptions::shape() const {
   if (!size_m_.empty()) {
     if (size_m_.size() != 2)
       throw UsageError("--size", fmt::format("{} lengths, two are needed: 15cm,10cm", size_m_.size()));
-    return rectangle(size_m_[0], size_m_[1]);
+    const PlateShape shape = rectangle(size_m_[0], size_m_[1]);
+    blamed_on("--size", [&] { require_valid(shape); });
+    return shape;
   }
   if (corners_m_.size() != 8)
     throw UsageError("--corners",
@@ -155,6 +160,7 @@ RitzPlate PlateOptions::plate() const {
     plate.curvature_per_m = 1 / *curvature_radius_m_;
     blamed_on("--curvature-radius", [&] { require_valid(plate); });
   }
+  if (edge_springs_) require_moving(plate);
   return blamed_on("--terms", [&] { return RitzPlate(plate, terms_); });
 }
 
@@ -200,6 +206,26 @@ StruckPlate PlateOptions::struck(const RitzPlate& plate) const {
     struck.structure.residual_flexibility = struck.missing->flexibility();
   }
   return struck;
+}
+
+std::optional<std::string> PlateOptions::patch_doubt(const RitzPlate& plate, std::size_t point,
+                                                     double flexibility_m_per_N) const {
+  if (theory_ == Plate::Theory::thin || !patch_radius_m_) return std::nullopt;
+  const Plate& body = plate.plate();
+  // Below this radius the terms (fitted to squares, 16 to 32 terms) or the theory see a point.
+  const double side = std::sqrt(std::abs(body.shape.jacobian(struck_points()[point]).determinant()));
+  const double series = 0.7 * side / static_cast<double>(terms_), theory = body.laminate.thickness_m / 4;
+  const double seen = std::max(series, theory);
+  const double share = std::log(seen / *patch_radius_m_) /
+                       (2 * std::numbers::pi * body.shear_correction *
+                        std::sqrt(body.laminate.transverse_shear.determinant()) * flexibility_m_per_N);
+  if (!(share > 0.01)) return std::nullopt;
+  return fmt::format(
+      "--patch-radius: {:.3g} m is far below {:.3g} m, {}; {:.2g} % of the deflection under the force hang on that and "
+      "would grow with --terms, since a shear-deformable plate yields to a point without limit. Give the radius of the "
+      "contact, or take --theory thin",
+      *patch_radius_m_, seen,
+      series > theory ? "the smallest patch that the series resolve" : "a quarter of the thickness", 100 * share);
 }
 
 }  // namespace impulse

@@ -30,6 +30,12 @@ class PlateOptions {
   /// @throws UsageError for a point outside, a patch that leaves the plate, and a point force in shear theory.
   [[nodiscard]] StruckPlate struck(const RitzPlate& plate) const;
 
+  /// What there is to say about a patch so small that the deflection under it, whose static flexibility is given, is a
+  /// matter of the number of terms: shear theory yields to it like ln(1/radius). Worth a percent at least.
+  /// See docs/decisions/0023-patches.md.
+  [[nodiscard]] std::optional<std::string> patch_doubt(const RitzPlate& plate, std::size_t point,
+                                                       double flexibility_m_per_N) const;
+
   /// Whether the corners go round clockwise, which is accepted but worth telling.
   [[nodiscard]] bool is_clockwise() const;
 

@@ -2,6 +2,7 @@
 
 #include "fem/mesh/msh_file.hpp"
 #include "fem/mesh/solid_mesh.hpp"
+#include "lib/cli/blamed_on.hpp"
 #include "lib/contract/errors.hpp"
 
 #include <fmt/format.h>
@@ -49,8 +50,11 @@ TriangleMesh SolidOptions::mesh() const {
   std::vector<MeshedCircle> circles;
   for (const Face face : faces_)
     circles.push_back({face, contact_radius_m_, mesh_size_m_.value_or(contact_radius_m_ / 20)});
+  blamed_on("--contact-radius", [&] { require_circles(segments_, circles); });
   SolidMeshOptions options;
   options.growth = growth_.value_or(options.growth);
+  if (!(options.growth > 1))
+    throw UsageError("--growth", fmt::format("{} is not above 1, so that elements would not grow", options.growth));
   options.largest_per_radius = largest_per_radius_.value_or(options.largest_per_radius);
   return solid_mesh(segments_, circles, options);
 }
@@ -78,9 +82,13 @@ AxisymmetricSolid SolidOptions::solid(MassMatrix mass) const {
   if (faces_.size() == 2 && far_end_ != EndSupport::free)
     throw UsageError("--far-end", "a solid in contact at both faces has no far end to hold; leave it free");
   // Materials first: a missing Poisson's ratio is found sooner than a mesh is made.
-  std::vector<AxisymmetricElasticity> elasticity = materials();
+  std::vector<AxisymmetricElasticity> elasticity =
+      blamed_on(mesh_ ? "--material" : "--segment", [&] { return materials(); });
   AxisymmetricSolid solid{.mesh = mesh(), .materials = std::move(elasticity), .contacts = {}, .mass = mass};
-  for (const Face face : faces_) solid.contacts.push_back({face, contact_radius_m_, contact_});
+  for (const Face face : faces_) {
+    solid.contacts.push_back({face, contact_radius_m_, contact_});
+    blamed_on("--contact-radius", [&] { require_circle(solid.mesh, solid.contacts.back()); });
+  }
   if (faces_.size() == 1) (faces_[0] == Face::a ? solid.end_b : solid.end_a) = far_end_;
   return solid;
 }
