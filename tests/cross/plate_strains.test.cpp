@@ -91,7 +91,7 @@ TEST_CASE("cross: strains beside a force on a specially orthotropic plate are Na
 }
 
 TEST_SUITE("slow") {
-  TEST_CASE("cross: strains of anisotropic panels, flat and curved, by Ritz series and by shell elements") {
+  TEST_CASE("cross: strains of anisotropic flat and curved panels by Ritz series and by shell elements") {
     // Strains along x, along y and in shear differ from each other, so that no exchange of axes or signs would pass;
     // the membrane's share is there wherever the panel is curved, with coupling B in the last.
     for (const Panel& panel :
