@@ -109,15 +109,16 @@ class LoadDeflection {
   std::vector<Row> rows_;
 };
 
-void run_linear(const Shell& shell, LoadDeflection& answer) {
+/// What theory of small displacements has for the whole load. Refuses supports that leave a rigid motion, on which
+/// Newton's method would only be said to fail.
+PathPoint linear_answer(const Shell& shell, const VectorXd& load) {
   const Eigen::SparseMatrix<double> stiffness = shell.tangent(VectorXd::Zero(shell.size()));
   const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor(stiffness);
-  const VectorXd load = answer.load();
   const VectorXd z = factor.info() == Eigen::Success ? VectorXd(factor.solve(load)) : VectorXd::Zero(load.size());
   // A singular stiffness may pass for definite by rounding, but has no solution.
   if (!((stiffness * z - load).norm() <= 1e-6 * load.norm()))
     throw UsageError("--edges", "the supports leave the panel free to move as a rigid body");
-  answer.add({1, z, 1}, z.dot(stiffness * z) / 2);
+  return {1, z, 1};
 }
 
 /// One step; false at the end of the path.
@@ -144,8 +145,9 @@ int run(const Request& request, const Command& command) {
   request.require_consistent(command);
   const Shell shell(request.body.panel());
   LoadDeflection answer(request, shell);
+  const PathPoint linear = linear_answer(shell, answer.load());
   if (request.linear) {
-    run_linear(shell, answer);
+    answer.add(linear, linear.displacement.dot(answer.load()) / 2);
     answer.write();
     return 0;
   }

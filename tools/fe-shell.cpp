@@ -16,6 +16,7 @@
 #include <chrono>
 #include <cmath>
 #include <cstdio>
+#include <exception>
 #include <optional>
 #include <string>
 #include <vector>
@@ -260,7 +261,7 @@ int run(Request& request, const Command& command) {
       if (request.statistics && k % every == 0) unbalanced = std::max(unbalanced, panel.unbalanced_force());
       progress(static_cast<double>(k) / static_cast<double>(grid.size));
     }
-  } catch (const ConvergenceError&) {
+  } catch (const std::exception&) {                    // no equilibrium, or the end of a law's table
     write_impact(request, panel, Ending::broken_off);  // what there is up to here
     record.write();
     picture.write();
