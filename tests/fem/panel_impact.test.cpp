@@ -4,6 +4,8 @@
 
 #include <doctest/doctest.h>
 
+#include <Eigen/SparseCholesky>
+
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
@@ -117,6 +119,37 @@ TEST_CASE("an updated Ritz basis grows, carries the motion on and comes nearer t
   options.update_s.clear();
   options.update_tolerance = 0.05;
   CHECK(panel.run(2e-6, 3e-4, options).update_count() >= 1);
+}
+
+TEST_CASE("updates by the unbalanced force leave ten steps between them") {
+  const TwentyPly panel;
+  PanelImpactOptions options{.method = PanelMethod::ritz, .vectors = 6, .update_tolerance = 1e-9, .update_vectors = 1};
+  CHECK(panel.run(2e-6, 9e-5, options).update_count() == 4);  // after 10, 20, 30 and 40 of 45 steps
+}
+
+TEST_CASE("an update after the contact begins with the deflection under the inertia of the first vector") {
+  const TwentyPly panel(2.69e-3, 250);
+  PanelImpactOptions options{.method = PanelMethod::ritz, .vectors = 3, .update_vectors = 1};
+  const PanelImpact before = panel.run(2e-6, 6e-4, options);
+  REQUIRE(!before.impact().in_contact());
+  options.update_s = {6e-4};
+  const PanelImpact updated = panel.run(2e-6, 6.4e-4, options);
+  REQUIRE(updated.unknowns() == 4);
+  // Its span, found anew: ψ₁, ψ₂, ψ₃ of the stiffness at rest, and K_T⁻¹ M ψ₁ of the tangent at the update.
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> rest(panel.body.stiffness),
+      tangent(panel.shell.tangent(before.displacement()));
+  Eigen::MatrixXd span(panel.body.mass.rows(), 4);
+  span.col(0) = rest.solve(panel.body.contacts.col(0));
+  span.col(3) = tangent.solve(panel.body.mass * span.col(0));
+  for (int i : {1, 2}) span.col(i) = rest.solve(panel.body.mass * span.col(i - 1));
+  for (int i = 0; i < 4; ++i) {  // Gram and Schmidt, twice
+    for (int again = 0; again < 2; ++again)
+      span.col(i) -= span.leftCols(i) * (span.leftCols(i).transpose() * (panel.body.mass * span.col(i)));
+    span.col(i) /= std::sqrt(span.col(i).dot(panel.body.mass * span.col(i)));
+  }
+  const Eigen::VectorXd q = updated.displacement();
+  const Eigen::VectorXd outside = q - span * (span.transpose() * (panel.body.mass * q));
+  CHECK(outside.norm() <= 1e-9 * q.norm());
 }
 
 TEST_CASE("updates that cannot be are refused") {

@@ -84,6 +84,35 @@ TEST_CASE("a clamped edge does not turn, at nodes and between, and keeps its mem
   }
 }
 
+/// A flat panel inclined at the edge x = a, by a wave and by a slope.
+Shell inclined(const std::string& edges) {
+  PanelShape shape{.length_m = 0.3, .width_m = 0.2};
+  shape.imperfection.waves = {{0.02, 1, 1}};
+  shape.imperfection.powers = {{-0.03, 1, 0}};
+  return Shell(shells::panel(shape, shells::isotropic(70e9, 0.3, 1e-3, 2700), edges, 4, 4));
+}
+
+TEST_CASE("displacements are held along the ideal shape's directions, whatever the imperfection") {
+  const PanelPoint node{0.3, 0.05};
+  for (const char* edges : {"FWFF", "FTFF", "FSFF"}) {
+    const Shell shell = inclined(edges);
+    CHECK(std::abs(shell.normal(node)(0)) > 0.1);
+    const Vector3d u = shell.displacement(some_displacement(shell), node);
+    CHECK(std::abs(u(2)) <= 1e-12);
+    CHECK((std::abs(u(0)) <= 1e-12) == (edges[1] == 'S'));
+    CHECK((std::abs(u(1)) <= 1e-12) == (edges[1] == 'T'));
+  }
+}
+
+TEST_CASE("a clamped edge does not turn the imperfect surface's normal") {
+  const Shell shell = inclined("FCFF");
+  const VectorXd z = some_displacement(shell);
+  const PanelPoint edge{0.3, 0.05};
+  const Vector3d inside = shell.displacement(z, {0.3 - 1e-7, 0.05});
+  CHECK(std::abs(shell.normal(edge).dot(inside)) <= 1e-4 * inside.norm());  // quadratic in the distance
+  CHECK(std::abs(inside(2)) > 0.01 * inside.norm());                        // the ideal shape's normal turns
+}
+
 TEST_CASE("supports take out as many degrees of freedom as they name") {
   // 3 × 4 nodes; an edge of k nodes held by c components loses 2ck, one clamped 8k.
   CHECK(supported("FFFF").size() == 144);
