@@ -60,8 +60,8 @@ struct Request {
                             {"tensor", Method::tensor},
                             {"reduced", Method::reduced}},
                            "the whole mesh by one of three rules, or its motion in a basis: modes of vibration, Ritz "
-                           "vectors of the contact force, or modes with tensors for the nonlinearity; reduced: modes "
-                           "with tensors or with the mesh evaluated, whichever is cheaper, and says which");
+                           "vectors of the contact force, or these with tensors for the nonlinearity; reduced: Ritz "
+                           "vectors with tensors or with the mesh evaluated, whichever is cheaper, and says which");
     command.choice<StepRule>(
         "--rule", rule,
         {{"newmark", StepRule::newmark}, {"conserving", StepRule::conserving}, {"wilson", StepRule::wilson}},
@@ -71,9 +71,7 @@ struct Request {
     command.choice<ModeKind>("--modes", options.modes, {{"any", ModeKind::any}, {"flexural", ModeKind::flexural}},
                              "which modes, the lowest first: any, or those that move mostly along the normal");
     command.count("--nonlinear-vectors", options.nonlinear_vectors, 1,
-                  "of tensor and reduced: how many of the modes have finite amplitudes, the lowest of those that the "
-                  "force moves; "
-                  "at most 40");
+                  "of tensor and reduced: how many of the vectors have finite amplitudes, the first ones; at most 40");
     command.choice<LeftOut>("--left-out", options.left_out, {{"static", LeftOut::static_}, {"rigid", LeftOut::rigid}},
                             "whether what the vectors leave out yields statically under the contact force");
     command.quantity("--update", options.update_s, "s", Sign::positive,
@@ -85,8 +83,10 @@ struct Request {
                                   "point whose deflection and strains go to --points, as fractions of the sides");
     command.output_file("--points", points, "write deflection and strains of every --probe to FILE");
     command.output_file("--contacts", contacts, "write a row for every period of contact to FILE");
-    command.output_file("--statistics", statistics,
-                        "write one row to FILE: unknowns, iterations, energy drift, unbalanced force, seconds");
+    command.output_file(
+        "--statistics", statistics,
+        "write one row to FILE: unknowns, iterations, factorisations, energy drift, unbalanced force (the "
+        "largest of some fifty steps), seconds of the parts of the set-up and of the steps");
     command.output_file("--vtu", vtu, "write the panel with its displacements to FILE (VTK)");
     command.count("--vtu-count", vtu_count, 1, "at how many moments, equally spaced, the last one the end");
     command.flag("--summary", summary, "write one row about the impact instead of its history");
@@ -103,7 +103,7 @@ struct Request {
     };
     for (const char* flag : {"--vectors", "--rule", "--left-out"})
       refuse_unless(reduced(), flag, "belongs to --method modes, ritz, tensor or reduced");
-    refuse_unless(reduced() && method != Method::ritz, "--modes", "belongs to --method modes, tensor or reduced");
+    refuse_unless(method == Method::modes, "--modes", "belongs to --method modes");
     refuse_unless((method == Method::tensor || method == Method::reduced) && !linear, "--nonlinear-vectors",
                   "belongs to --method tensor or reduced without --linear");
     refuse_unless(options.nonlinear_vectors <= options.vectors, "--nonlinear-vectors", "more than there are --vectors");
@@ -131,7 +131,7 @@ struct Request {
     setup.rule = reduced() ? rule : rules[static_cast<std::size_t>(method)];
     options.geometry = linear ? Geometry::linear : Geometry::nonlinear;
     if (update_tolerance) options.update_tolerance = *update_tolerance;
-    if (method == Method::reduced && linear) options.method = PanelMethod::modes;
+    if (method == Method::reduced && linear) options.method = PanelMethod::ritz;
     if (options.method == PanelMethod::tensor)
       options.nonlinear_vectors = std::min(options.nonlinear_vectors, options.vectors);
   }
@@ -141,7 +141,7 @@ struct Request {
     if (linear) return;
     const NonlinearCost cost = nonlinear_cost(options.nonlinear_vectors, elements);
     const bool tensors = cost.tensors < cost.mesh;
-    if (!tensors) options.method = PanelMethod::modes;
+    if (!tensors) options.method = PanelMethod::ritz;
     fmt::print(stderr,
                "fe-shell: nonlinear forces by {}: tensors of {} vectors cost {:.2g} of evaluating {} elements\n",
                tensors ? "tensors" : "the mesh", options.nonlinear_vectors, cost.tensors / cost.mesh, elements);
@@ -193,13 +193,22 @@ class ProbeRecord {
 
 double seconds() { return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count(); }
 
-void write_statistics(const std::string& path, const PanelImpact& run, double unbalanced, double set_up_s,
-                      double stepping_s) {
-  CsvOutput csv(path, {"unknowns", "updates", "steps", "iterations", "energy_drift", "unbalanced_force", "set_up_s",
-                       "stepping_s"});
-  csv.row({static_cast<double>(run.unknowns()), static_cast<double>(run.update_count()),
-           static_cast<double>(run.impact().trace().force_N.size() - 1),
-           static_cast<double>(run.impact().iteration_count()), run.energy_drift(), unbalanced, set_up_s, stepping_s});
+struct Times {
+  double mesh_s = 0, set_up_s = 0, stepping_s = 0;
+};
+
+void write_statistics(const std::string& path, const PanelImpact& run, const std::vector<PanelStep>& samples,
+                      const Times& times) {
+  double unbalanced = 0;
+  for (const PanelStep& step : samples) unbalanced = std::max(unbalanced, run.unbalanced_force(step));
+  const auto steps = static_cast<double>(run.impact().trace().force_N.size() - 1);
+  CsvOutput csv(path,
+                {"unknowns", "updates", "steps", "iterations", "factorisations", "energy_drift", "unbalanced_force",
+                 "mesh_s", "factorisation_s", "vectors_s", "tensors_s", "set_up_s", "stepping_s", "time_per_step_s"});
+  csv.row({static_cast<double>(run.unknowns()), static_cast<double>(run.update_count()), steps,
+           static_cast<double>(run.impact().iteration_count()), static_cast<double>(run.impact().factorisation_count()),
+           run.energy_drift(), unbalanced, times.mesh_s, run.set_up().factorisation_s, run.set_up().vectors_s,
+           run.set_up().tensors_s, times.set_up_s, times.stepping_s, times.stepping_s / steps});
   csv.close();
 }
 
@@ -243,22 +252,23 @@ int run(Request& request, const Command& command) {
   const Shell shell(request.body.panel());
   if (request.method == Method::reduced) request.choose_evaluation(shell.elements().size());
   const Structure structure = shell_structure(shell, request.body.points());
+  Times times{.mesh_s = seconds() - start};
   PanelImpact panel(shell, structure, law, request.setup, request.options);
-  const double set_up = seconds() - start;
+  times.set_up_s = seconds() - start;
   ProbeRecord record(request, shell);
   record.add(0, panel);
   ShellPicture picture(shell, request.vtu, request.vtu_count, grid);
   Progress progress("fe-shell");
-  double unbalanced = 0, stepping = 0;
+  std::vector<PanelStep> samples;
   const std::size_t every = std::max<std::size_t>(1, grid.size / 50);
   try {
     for (std::size_t k = 1; k < grid.size; ++k) {
       const double before = seconds();
       panel.advance();
-      stepping += seconds() - before;
+      times.stepping_s += seconds() - before;
       record.add(panel.impact().time_s(), panel);
       picture.add(k, panel);
-      if (request.statistics && k % every == 0) unbalanced = std::max(unbalanced, panel.unbalanced_force());
+      if (request.statistics && k % every == 0) samples.push_back(panel.last_step());
       progress(static_cast<double>(k) / static_cast<double>(grid.size));
     }
   } catch (const std::exception&) {                    // no equilibrium, or the end of a law's table
@@ -269,7 +279,7 @@ int run(Request& request, const Command& command) {
   }
   record.write();
   picture.write();
-  if (request.statistics) write_statistics(*request.statistics, panel, unbalanced, set_up, stepping);
+  if (request.statistics) write_statistics(*request.statistics, panel, samples, times);
   write_impact(request, panel, Ending::reached);
   return 0;
 }

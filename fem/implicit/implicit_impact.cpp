@@ -18,6 +18,20 @@ constexpr double theta = 1.4;
 /// Gauss points of a step, exact for a cubic.
 const double gauss_low = 0.5 - std::sqrt(1.0 / 12), gauss_high = 0.5 + std::sqrt(1.0 / 12);
 
+const ImplicitImpactSetup& valid(const ImplicitImpactSetup& setup, const MotionEquations& equations,
+                                 const VectorXd& contact) {
+  require(contact.size() == equations.size(), "a contact of {} components for {} unknowns", contact.size(),
+          equations.size());
+  require(std::isfinite(setup.step_s) && setup.step_s > 0, "step {} s is not positive", setup.step_s);
+  require(setup.striker_mass_kg > 0, "the striker's mass {} kg is not positive", setup.striker_mass_kg);
+  require(setup.speed_m_per_s > 0, "the striker's speed {} m/s is not positive", setup.speed_m_per_s);
+  require(setup.residual_flexibility_m_per_N >= 0 &&
+              (setup.rule != StepRule::wilson || setup.residual_flexibility_m_per_N == 0),
+          "a residual flexibility of {} m/N cannot be taken; it is not negative, and 0 with Wilson's rule",
+          setup.residual_flexibility_m_per_N);
+  return setup;
+}
+
 }  // namespace
 
 ImplicitImpact::ImplicitImpact(const MotionEquations& equations, const VectorXd& contact, const ContactLaw& law,
@@ -26,30 +40,30 @@ ImplicitImpact::ImplicitImpact(const MotionEquations& equations, const VectorXd&
       contact_(contact),
       law_(law),
       law_contact_(law, setup.residual_flexibility_m_per_N, 0),
-      setup_(setup) {
-  require(contact.size() == equations.size(), "a contact of {} components for {} unknowns", contact.size(),
-          equations.size());
-  require(std::isfinite(setup.step_s) && setup.step_s > 0, "step {} s is not positive", setup.step_s);
-  require(setup.striker_mass_kg > 0, "the striker's mass {} kg is not positive", setup.striker_mass_kg);
-  require(setup.speed_m_per_s > 0, "the striker's speed {} m/s is not positive", setup.speed_m_per_s);
-  require(setup.tolerance > 0 && setup.most_iterations >= 1,
-          "equilibrium within {} in {} iterations cannot be asked for", setup.tolerance, setup.most_iterations);
-  require(setup.residual_flexibility_m_per_N >= 0 &&
-              (setup.rule != StepRule::wilson || setup.residual_flexibility_m_per_N == 0),
-          "a residual flexibility of {} m/N cannot be taken; it is not negative, and 0 with Wilson's rule",
-          setup.residual_flexibility_m_per_N);
+      setup_(valid(setup, equations, contact)),
+      equilibrium_(equilibrium()) {
   striker_v_ = setup.speed_m_per_s;
   d_ = v_ = a_ = change_of_velocity_ = VectorXd::Zero(contact.size());
-  factorise();
   old_internal_ = equations_->internal_force(d_);
   record();
 }
 
-void ImplicitImpact::factorise() {
+StepEquilibrium ImplicitImpact::equilibrium() const {
   const double dt = setup_.step_s, tau = theta * dt;
-  solve_ =
-      setup_.rule == StepRule::wilson ? equations_->solver(6 / (tau * tau), 1) : equations_->solver(2 / (dt * dt), 0.5);
-  by_contact_ = solve_(contact_);
+  const bool wilson = setup_.rule == StepRule::wilson;
+  const double m = wilson ? 6 / (tau * tau) : 2 / (dt * dt), k = wilson ? 1 : 0.5;
+  const MotionEquations* equations = equations_;
+  return {{.geometry = equations->geometry(),
+           .at_rest = equations->solver(m, k),
+           .tangent = [=](const VectorXd& q) { return equations->tangent_solver(m, k, q); }},
+          setup_.equilibrium,
+          contact_};
+}
+
+std::size_t ImplicitImpact::iteration_count() const { return earlier_iterations_ + equilibrium_.iteration_count(); }
+
+std::size_t ImplicitImpact::factorisation_count() const {
+  return earlier_factorisations_ + equilibrium_.factorisation_count();
 }
 
 void ImplicitImpact::change_equations(const MotionEquations& equations, const VectorXd& contact,
@@ -65,7 +79,9 @@ void ImplicitImpact::change_equations(const MotionEquations& equations, const Ve
   const VectorXd acceleration = a_;
   a_ = change_of_velocity_ = VectorXd::Zero(d_.size());
   a_.head(std::min(a_.size(), acceleration.size())) = acceleration.head(std::min(a_.size(), acceleration.size()));
-  factorise();
+  earlier_iterations_ = iteration_count();
+  earlier_factorisations_ = factorisation_count();
+  equilibrium_ = equilibrium();
   old_internal_ = equations_->internal_force(d_);
 }
 
@@ -78,54 +94,38 @@ VectorXd ImplicitImpact::mean_internal_force(const VectorXd& change, VectorXd& e
   return (old_internal_ + end_force) / 2;
 }
 
-void ImplicitImpact::refuse(double achieved) const {
+StepEquilibrium::Found ImplicitImpact::found(const StepEquilibrium::Step& step) {
+  auto found = equilibrium_.find(step);
+  if (found) return std::move(*found);
   throw ConvergenceError(
       fmt::format("the step from {:.4g} s on finds no equilibrium in {} iterations; use a step shorter than {:.3g} s",
-                  time_s_, setup_.most_iterations, setup_.step_s),
-      setup_.tolerance, achieved, setup_.most_iterations);
-}
-
-VectorXd ImplicitImpact::solved(const VectorXd& residual, std::size_t iteration) const {
-  VectorXd correction = solve_(residual);
-  const double length = correction.norm();
-  // Divergence is refused before the law is asked about a displacement that overflows.
-  const bool diverges = iteration > 1 && first_correction_ > 0 && length > 1e8 * first_correction_;
-  if (diverges || !std::isfinite(length)) refuse(length);
-  return correction;
-}
-
-bool ImplicitImpact::settled(const VectorXd& correction, const VectorXd& change, std::size_t iteration) {
-  ++iterations_;
-  if (equations_->geometry() == Geometry::linear) return true;
-  if (iteration == 1) first_correction_ = correction.norm();
-  const double relative = correction.norm() / std::max(change.norm(), 1e-300);
-  // The slowest rate of the last iterations; it fades, so that one bad step isn't remembered for ever.
-  if (iteration > 1 && last_correction_ > 0)
-    rate_ = std::clamp(std::max(relative / last_correction_, rate_ / 2), 1e-6, 1.0);
-  last_correction_ = relative;
-  if (rate_ * relative <= setup_.tolerance) return true;
-  if (iteration >= setup_.most_iterations) refuse(relative);
-  return false;
+                  time_s_, setup_.equilibrium.most_iterations, setup_.step_s),
+      setup_.equilibrium.tolerance, equilibrium_.last_correction(), setup_.equilibrium.most_iterations);
 }
 
 void ImplicitImpact::step_mean_force() {
   const double dt = setup_.step_s;
   const double striker_compliance = dt * dt / (2 * setup_.striker_mass_kg);
-  const double compliance = contact_.dot(by_contact_) + striker_compliance;
   const double flight = striker_d_ + dt * striker_v_ - contact_.dot(d_);
-  // What the velocity and its last change make of the step, not as the unknown but to begin near it.
-  VectorXd change = dt * v_ + 0.5 * dt * change_of_velocity_;
+  // Where a linear K_T has the derivative of the mean force: ∫s K(d + sΔ)ds = ½K(d + ⅔Δ).
+  const double mean_tangent_at = setup_.rule == StepRule::conserving ? 2.0 / 3 : 1.0;
   LawContact::Answer answer{};
-  VectorXd end_force, correction;
-  for (std::size_t iteration = 1;; ++iteration) {
-    const VectorXd residual =
-        -mean_internal_force(change, end_force) - equations_->mass_times((2 / dt) * (change / dt - v_));
-    correction = solved(residual, iteration);
-    answer = law_contact_.answer(flight - contact_.dot(change) - contact_.dot(correction), compliance);
-    correction += answer.mean_force_N * by_contact_;
-    change += correction;
-    if (settled(correction, change, iteration)) break;
-  }
+  VectorXd end_force;
+  const StepEquilibrium::Found step =
+      found({// What the velocity and its last change make of the step, not as the unknown but to begin near it.
+             .start = dt * v_ + 0.5 * dt * change_of_velocity_,
+             .residual = [&](const VectorXd& change) -> VectorXd {
+               return -mean_internal_force(change, end_force) - equations_->mass_times((2 / dt) * (change / dt - v_));
+             },
+             .follow =
+                 [&](const VectorXd& change, VectorXd& correction) {
+                   const VectorXd& by_contact = equilibrium_.response();
+                   answer = law_contact_.answer(flight - contact_.dot(change) - contact_.dot(correction),
+                                                contact_.dot(by_contact) + striker_compliance);
+                   correction += answer.mean_force_N * by_contact;
+                 },
+             .tangent_at = [&](const VectorXd& change) -> VectorXd { return d_ + mean_tangent_at * change; }});
+  const VectorXd &change = step.change, &correction = step.last_correction;
   const double residual_change = setup_.residual_flexibility_m_per_N * (answer.force_N - force_);
   law_contact_.accept(answer);
   mean_force_ = answer.mean_force_N;
@@ -162,21 +162,25 @@ void ImplicitImpact::step_wilson() {
   const auto displacement_change = [&](const VectorXd& end_acceleration) -> VectorXd {
     return dt * v_ + dt * dt / 6 * (2 * a_ + end_acceleration);
   };
-  const double own = contact_.dot(by_contact_) * dt * dt / (tau * tau);  // per unit of the new force
-  const double compliance = own + dt * dt / (6 * mass);
   const double flight = striker_d_ + dt * striker_v_ - dt * dt / 3 * force_ / mass - contact_.dot(d_);
-  VectorXd delta = tau * v_ + tau * tau / 2 * a_;
   double new_force = 0;
-  for (std::size_t iteration = 1;; ++iteration) {
-    const VectorXd residual = (1 - theta) * force_ * contact_ - equations_->internal_force(d_ + delta) -
-                              equations_->mass_times(acceleration_at_tau(delta));
-    VectorXd correction = solved(residual, iteration);
-    const VectorXd end = a_ + (acceleration_at_tau(delta + correction) - a_) / theta;
-    new_force = wilson_force(flight - contact_.dot(displacement_change(end)), compliance);
-    correction += theta * new_force * by_contact_;
-    delta += correction;
-    if (settled(correction, delta, iteration)) break;
-  }
+  const VectorXd delta = found({.start = tau * v_ + tau * tau / 2 * a_,
+                                .residual = [&](const VectorXd& change) -> VectorXd {
+                                  return (1 - theta) * force_ * contact_ - equations_->internal_force(d_ + change) -
+                                         equations_->mass_times(acceleration_at_tau(change));
+                                },
+                                .follow =
+                                    [&](const VectorXd& change, VectorXd& correction) {
+                                      const VectorXd& by_contact = equilibrium_.response();
+                                      // Of the displacement at the step's end, per unit of the new force.
+                                      const double own = contact_.dot(by_contact) * dt * dt / (tau * tau);
+                                      const VectorXd end = a_ + (acceleration_at_tau(change + correction) - a_) / theta;
+                                      new_force = wilson_force(flight - contact_.dot(displacement_change(end)),
+                                                               own + dt * dt / (6 * mass));
+                                      correction += theta * new_force * by_contact;
+                                    },
+                                .tangent_at = [&](const VectorXd& change) -> VectorXd { return d_ + change; }})
+                             .change;
   const VectorXd end = a_ + (acceleration_at_tau(delta) - a_) / theta;
   const VectorXd change = displacement_change(end);
   mean_force_ = (force_ + new_force) / 2;

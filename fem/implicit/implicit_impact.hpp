@@ -2,6 +2,7 @@
 
 #include "fem/explicit/law_contact.hpp"
 #include "fem/implicit/motion_equations.hpp"
+#include "fem/implicit/step_equilibrium.hpp"
 #include "lib/law/contact_trace.hpp"
 
 #include <Eigen/Dense>
@@ -24,9 +25,8 @@ struct ImplicitImpactSetup {
   double step_s = 0;
   StepRule rule = StepRule::newmark;
   double residual_flexibility_m_per_N =
-      0;                             ///< ≥ 0: what the body yields statically beside its unknowns; not by Wilson's
-  double tolerance = 1e-8;           ///< > 0: error of a step's displacement, relative to it
-  std::size_t most_iterations = 40;  ///< ≥ 1
+      0;  ///< ≥ 0: what the body yields statically beside its unknowns; not by Wilson's
+  EquilibriumOptions equilibrium{.tolerance = 1e-8, .most_iterations = 40};
 };
 
 /// A rigid striker on an elastic body at rest, with a contact law; all three are solved together in each step.
@@ -36,8 +36,7 @@ struct ImplicitImpactSetup {
 /// any step. A nonlinear one does with the conserving rule, because the energy of a shell is quartic, so that two Gauss
 /// points give the mean of the cubic f exactly; with Newmark's to the order of the step, 2. Wilson's rule has the law's
 /// force at both ends of a step and dissipates: 1.4 is the parameter for which it is stable for any step.
-/// A nonlinear equation is iterated with the constant matrix of the equations until the next correction, as the last
-/// seen rate of convergence foretells it, is below the tolerance; a linear one takes one solution.
+/// A step's equilibrium is a StepEquilibrium.
 /// The contact's displacement is cᵀq + R F with the residual flexibility R, its velocity is without R.
 /// Periods of a mode come out longer by (ωΔt)²/12 with the first two. Order 2.
 /// Reference: [BatheWilson1976]. Verified by: tests/fem/implicit_impact.test.cpp
@@ -60,7 +59,8 @@ class ImplicitImpact {
   [[nodiscard]] const Eigen::VectorXd& velocity() const { return v_; }
   [[nodiscard]] double force_N() const { return force_; }
   [[nodiscard]] bool in_contact() const { return in_contact_; }
-  [[nodiscard]] std::size_t iteration_count() const { return iterations_; }  ///< of all steps so far
+  [[nodiscard]] std::size_t iteration_count() const;      ///< of all steps so far
+  [[nodiscard]] std::size_t factorisation_count() const;  ///< of matrices of a step so far, 1 to begin with
 
   /// Of striker, body and law; the law's loss counts as present [J].
   [[nodiscard]] double total_energy() const;
@@ -76,11 +76,9 @@ class ImplicitImpact {
   void step_mean_force();
   void step_wilson();
   [[nodiscard]] Eigen::VectorXd mean_internal_force(const Eigen::VectorXd& change, Eigen::VectorXd& end_force) const;
-  [[noreturn]] void refuse(double achieved) const;
-  [[nodiscard]] Eigen::VectorXd solved(const Eigen::VectorXd& residual, std::size_t iteration) const;
-  [[nodiscard]] bool settled(const Eigen::VectorXd& correction, const Eigen::VectorXd& change, std::size_t iteration);
+  [[nodiscard]] StepEquilibrium::Found found(const StepEquilibrium::Step& step);
   [[nodiscard]] double wilson_force(double free_approach, double compliance) const;
-  void factorise();
+  [[nodiscard]] StepEquilibrium equilibrium() const;
   void record();
 
   const MotionEquations* equations_;
@@ -89,18 +87,14 @@ class ImplicitImpact {
   LawContact law_contact_;  // of the rules with a mean force
   LawHistory history_;      // of Wilson's
   ImplicitImpactSetup setup_;
-  MotionEquations::Solver solve_;
-  Eigen::VectorXd by_contact_;  // displacement under a unit force by the matrix of a step
+  StepEquilibrium equilibrium_;
+  std::size_t earlier_iterations_ = 0, earlier_factorisations_ = 0;  // of equations gone by
   Eigen::VectorXd d_, v_, a_, old_internal_, change_of_velocity_;
   double time_s_ = 0;
   double striker_d_ = 0, striker_v_ = 0;
   double force_ = 0, mean_force_ = 0, indentation_ = 0;
-  double rate_ = 1;              // of the iteration's convergence, as last seen
-  double last_correction_ = 0;   // relative, of the iteration before
-  double first_correction_ = 0;  // of the present step
   double impulse_ = 0, work_1_ = 0, work_2_ = 0;
   bool in_contact_ = false;
-  std::size_t iterations_ = 0;
   ContactTrace trace_;
 };
 

@@ -1,8 +1,7 @@
 #include "fem/implicit/motion_equations.hpp"
 
 #include "lib/contract/require.hpp"
-
-#include <Eigen/SparseCholesky>
+#include "lib/numerics/sparse_cholesky.hpp"
 
 namespace impulse {
 namespace {
@@ -25,12 +24,13 @@ class LinearEquations : public MotionEquations {
   }
   [[nodiscard]] double elastic_energy(const VectorXd& q) const override { return q.dot(body_.stiffness * q) / 2; }
   [[nodiscard]] Solver solver(double m, double k) const override {
-    const auto factor = std::make_shared<Eigen::SimplicialLLT<Sparse>>(Sparse(m * body_.mass + k * body_.stiffness));
-    require(factor->info() == Eigen::Success, "the matrix of a step is not positive definite");
-    return [factor](const VectorXd& r) -> VectorXd { return factor->solve(r); };
+    auto found = SparseCholesky::of(Sparse(m * body_.mass + k * body_.stiffness));
+    require(found.has_value(), "the matrix of a step is not positive definite");
+    const auto factor = std::make_shared<SparseCholesky>(std::move(*found));
+    return [factor](const VectorXd& r) { return factor->solve(r); };
   }
 
- private:
+ protected:
   const Structure& body_;
 };
 
@@ -40,6 +40,9 @@ class ShellEquations : public LinearEquations {
   [[nodiscard]] Geometry geometry() const override { return Geometry::nonlinear; }
   [[nodiscard]] VectorXd internal_force(const VectorXd& q) const override { return shell_.internal(q).force; }
   [[nodiscard]] double elastic_energy(const VectorXd& q) const override { return shell_.internal(q).energy_J; }
+  [[nodiscard]] Solver tangent_solver(double m, double k, const VectorXd& q) const override {
+    return symmetric_solver(m * body_.mass + k * shell_.tangent(q));
+  }
 
  private:
   const Shell& shell_;

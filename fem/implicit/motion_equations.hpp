@@ -2,10 +2,10 @@
 
 #include "fem/shell/shell.hpp"
 #include "lib/model/structure.hpp"
+#include "lib/numerics/sparse_cholesky.hpp"
 
 #include <Eigen/Dense>
 
-#include <functional>
 #include <memory>
 
 namespace impulse {
@@ -15,7 +15,7 @@ enum class Geometry { linear, nonlinear };
 /// M q̈ + f(q) = load, of a whole body or of its coordinates in a basis: what implicit integration needs of it.
 class MotionEquations {
  public:
-  using Solver = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
+  using Solver = LinearSolver;
 
   virtual ~MotionEquations() = default;
   [[nodiscard]] virtual Eigen::Index size() const = 0;
@@ -30,6 +30,11 @@ class MotionEquations {
 
   /// r → (m M + k K)⁻¹ r, factorised once; K is the stiffness to iterate with.
   [[nodiscard]] virtual Solver solver(double m, double k) const = 0;
+
+  /// The same with the stiffness ∂f/∂q at a displacement; empty where that isn't known or the matrix is singular.
+  [[nodiscard]] virtual Solver tangent_solver(double /*m*/, double /*k*/, const Eigen::VectorXd& /*q*/) const {
+    return {};
+  }
 };
 
 /// A linear structure without dashpots, M and K sparse; keeps a reference to it.

@@ -8,26 +8,27 @@
 
 namespace impulse {
 
+using Eigen::VectorXd;
 using Sparse = Eigen::SparseMatrix<double>;
-using Factor = Eigen::SimplicialLLT<Sparse>;
 
 struct Newmark::Work {
   double step;
   Sparse mass;
-  Eigen::VectorXd dashpots;      // empty if there are none
+  VectorXd dashpots;             // empty if there are none
   Sparse stiffness;              // of a linear body
   InternalForce internal_force;  // of a nonlinear one
   EquilibriumOptions options;
-  Factor effective;
-  std::optional<Factor> mass_factor;
-  Eigen::VectorXd residual, correction, change, internal;
+  StepEquilibrium equilibrium;
+  std::optional<SparseCholesky> mass_factor;
 
-  /// f(d) into `internal`.
-  void evaluate(const Eigen::VectorXd& d) {
-    if (internal_force)
-      internal_force(d, internal);
-    else
-      internal.noalias() = stiffness * d;
+  [[nodiscard]] VectorXd internal(const VectorXd& d) const {
+    if (!internal_force) return stiffness * d;
+    VectorXd force = VectorXd::Zero(d.size());
+    internal_force(d, force);
+    return force;
+  }
+  [[nodiscard]] VectorXd damping(const VectorXd& v) const {
+    return dashpots.size() > 0 ? VectorXd(dashpots.cwiseProduct(v)) : VectorXd::Zero(v.size());
   }
 };
 
@@ -43,32 +44,30 @@ void require_body(const Structure& body, double step_s) {
   require(std::isfinite(step_s) && step_s > 0, "step {} s is not positive", step_s);
 }
 
-void factorise(Factor& factor, const Sparse& matrix, const char* name) {
-  factor.compute(matrix);
-  require(factor.info() == Eigen::Success, "{} is not positive definite", name);
+SparseCholesky factorised(const Sparse& matrix, const char* name) {
+  auto factor = SparseCholesky::of(matrix);
+  require(factor.has_value(), "{} is not positive definite", name);
+  return std::move(*factor);
+}
+
+LinearSolver step_solver(const Structure& body, double step_s) {
+  Sparse matrix = body.stiffness + (4 / (step_s * step_s)) * body.mass;
+  if (body.dashpots.size() > 0) matrix.diagonal() += 2 / step_s * body.dashpots;
+  const auto factor = std::make_shared<SparseCholesky>(factorised(matrix, "the matrix of a step, K + 2C/dt + 4M/dt²,"));
+  return [factor](const VectorXd& b) { return factor->solve(b); };
 }
 
 }  // namespace
 
 Newmark::Newmark(const Structure& body, double step_s) : Newmark(body, nullptr, step_s) {}
 
-Newmark::Newmark(const Structure& body, InternalForce internal_force, double step_s, const EquilibriumOptions& options)
-    : work_(std::make_unique<Work>()) {
+Newmark::Newmark(const Structure& body, InternalForce internal_force, double step_s,
+                 const EquilibriumOptions& options) {
   require_body(body, step_s);
-  require(options.tolerance > 0 && options.most_iterations >= 1,
-          "equilibrium within {} in {} iterations cannot be asked for", options.tolerance, options.most_iterations);
-  Work& w = *work_;
-  w.step = step_s;
-  w.mass = body.mass;
-  w.dashpots = body.dashpots;
-  if (!internal_force) w.stiffness = body.stiffness;
-  w.internal_force = std::move(internal_force);
-  w.options = options;
-  Sparse effective = body.stiffness + (4 / (step_s * step_s)) * body.mass;
-  if (w.dashpots.size() > 0) effective.diagonal() += 2 / step_s * w.dashpots;
-  factorise(w.effective, effective, "the matrix of a step, K + 2C/dt + 4M/dt²,");
-  const Eigen::Index n = body.stiffness.rows();
-  for (Eigen::VectorXd* vector : {&w.residual, &w.correction, &w.change, &w.internal}) vector->setZero(n);
+  const Geometry geometry = internal_force ? Geometry::nonlinear : Geometry::linear;
+  StepEquilibrium equilibrium({geometry, step_solver(body, step_s), nullptr}, options);
+  work_ = std::make_unique<Work>(Work{step_s, body.mass, body.dashpots, internal_force ? Sparse() : body.stiffness,
+                                      std::move(internal_force), options, std::move(equilibrium), std::nullopt});
 }
 
 Newmark::Newmark(Newmark&&) noexcept = default;
@@ -77,41 +76,36 @@ Newmark::~Newmark() = default;
 
 double Newmark::step_s() const { return work_->step; }
 
-void Newmark::set_load(MotionState& state, const Eigen::VectorXd& load) {
+void Newmark::set_load(MotionState& state, const VectorXd& load) {
   Work& w = *work_;
-  if (!w.mass_factor) factorise(w.mass_factor.emplace(), w.mass, "the mass matrix");
-  w.evaluate(state.displacement);
-  w.residual = load - w.internal;
-  if (w.dashpots.size() > 0) w.residual -= w.dashpots.cwiseProduct(state.velocity);
-  state.acceleration = w.mass_factor->solve(w.residual);
+  if (!w.mass_factor) w.mass_factor = factorised(w.mass, "the mass matrix");
+  state.acceleration =
+      w.mass_factor->solve(VectorXd(load - w.internal(state.displacement) - w.damping(state.velocity)));
 }
 
-std::size_t Newmark::advance(MotionState& state, const Eigen::VectorXd& end_load) {
+std::size_t Newmark::advance(MotionState& state, const VectorXd& end_load) {
   Work& w = *work_;
   const double rate = 2 / w.step;
-  w.change.setZero();
-  for (std::size_t iteration = 1; iteration <= w.options.most_iterations; ++iteration) {
-    // The velocity and acceleration that the change of displacement so far means.
-    w.residual = (rate * rate) * w.change - (2 * rate) * state.velocity - state.acceleration;
-    w.residual = end_load - w.mass * w.residual;
-    if (w.dashpots.size() > 0) w.residual -= w.dashpots.cwiseProduct(rate * w.change - state.velocity);
-    w.correction = state.displacement + w.change;
-    w.evaluate(w.correction);
-    w.residual -= w.internal;
-    w.correction = w.effective.solve(w.residual);
-    w.change += w.correction;
-    const double moved = w.change.norm();
-    if (!std::isfinite(moved)) break;
-    if (w.internal_force && w.correction.norm() > w.options.tolerance * moved) continue;
-    state.displacement += w.change;
-    w.residual = rate * w.change - 2 * state.velocity;  // the change of velocity
-    state.velocity += w.residual;
-    state.acceleration = rate * w.residual - state.acceleration;
-    return iteration;
-  }
-  throw ConvergenceError(fmt::format("a step of {:.4g} s finds no equilibrium in {} iterations; use a shorter step",
-                                     w.step, w.options.most_iterations),
-                         w.options.tolerance, w.correction.norm() / w.change.norm(), w.options.most_iterations);
+  const std::size_t before = w.equilibrium.iteration_count();
+  const auto found = w.equilibrium.find(
+      {.start = VectorXd::Zero(end_load.size()),
+       .residual = [&](const VectorXd& change) -> VectorXd {
+         // The velocity and acceleration that the change of displacement so far means.
+         const VectorXd velocity = rate * change - state.velocity;
+         const VectorXd acceleration = rate * (velocity - state.velocity) - state.acceleration;
+         return end_load - w.mass * acceleration - w.damping(velocity) - w.internal(state.displacement + change);
+       },
+       .follow = nullptr,
+       .tangent_at = nullptr});
+  if (!found)
+    throw ConvergenceError(fmt::format("a step of {:.4g} s finds no equilibrium in {} iterations; use a shorter step",
+                                       w.step, w.options.most_iterations),
+                           w.options.tolerance, w.equilibrium.last_correction(), w.options.most_iterations);
+  const VectorXd change_of_velocity = rate * found->change - 2 * state.velocity;
+  state.displacement += found->change;
+  state.velocity += change_of_velocity;
+  state.acceleration = rate * change_of_velocity - state.acceleration;
+  return w.equilibrium.iteration_count() - before;
 }
 
 }  // namespace impulse

@@ -1,6 +1,7 @@
 #pragma once
 
 #include "fem/explicit/central_difference.hpp"
+#include "fem/implicit/step_equilibrium.hpp"
 #include "lib/model/structure.hpp"
 
 #include <Eigen/Dense>
@@ -10,19 +11,12 @@
 
 namespace impulse {
 
-/// When the equilibrium of a nonlinear step is found.
-struct EquilibriumOptions {
-  double tolerance = 1e-10;          ///< > 0: of the last correction of the displacement, relative to its change
-  std::size_t most_iterations = 50;  ///< ≥ 1
-};
-
 /// Newmark's rule with constant average acceleration (β = 1/4, γ = 1/2) for M d̈ + C ḋ + f(d) = F(t):
 ///
 ///   d ← d + ½Δt (v_old + v_new),   v ← v + ½Δt (a_old + a_new),   M a_new + C v_new + f(d_new) = F_new
 ///
 /// unconditionally stable and free of damping for a linear body, order 2; periods come out longer by (ωΔt)²/12.
-/// The matrix K + 2C/Δt + 4M/Δt² is factorised once; a nonlinear f is iterated with it, K being the stiffness that the
-/// structure holds (modified Newton), a linear one takes a single solution. M may be consistent.
+/// The equilibrium of a step is a StepEquilibrium with the matrix K + 2C/Δt + 4M/Δt². M may be consistent.
 /// @throws std::invalid_argument on construction for sizes that disagree, a step that is not positive, or a matrix that
 /// is not positive definite. Verified by: tests/fem/newmark.test.cpp
 class Newmark {
@@ -30,7 +24,7 @@ class Newmark {
   /// Linear body, f(d) = Kd.
   Newmark(const Structure& body, double step_s);
 
-  /// Nonlinear body, with the structure's K to iterate with.
+  /// Nonlinear body, with the structure's K to iterate with; its tangent isn't known.
   Newmark(const Structure& body, InternalForce internal_force, double step_s, const EquilibriumOptions& options = {});
 
   Newmark(Newmark&&) noexcept;

@@ -4,7 +4,7 @@
 
 namespace impulse {
 
-/// What one nonlinear force costs in a basis of modes, in multiplications of the shell's kernel.
+/// What one nonlinear force costs in a basis, in multiplications of the shell's kernel.
 struct NonlinearCost {
   double tensors = 0;  ///< infinite beyond the 40 vectors of quartic_reduction
   double mesh = 0;

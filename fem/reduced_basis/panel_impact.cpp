@@ -2,9 +2,8 @@
 
 #include "lib/contract/require.hpp"
 
-#include <algorithm>
+#include <chrono>
 #include <cmath>
-#include <numeric>
 
 namespace impulse {
 
@@ -26,16 +25,19 @@ void require_updates(const PanelImpactOptions& options, double step_s) {
           "only a basis of Ritz vectors is updated");
 }
 
-/// The modes that the contact force moves before those that it doesn't (on a panel struck in the middle about half),
-/// each kind by frequency: only the former need finite amplitudes.
-ReducedBasis excited_first(const ReducedBasis& modes, const VectorXd& contact) {
-  const VectorXd seen = (modes.vectors.transpose() * contact).cwiseAbs();
-  std::vector<Eigen::Index> order(static_cast<std::size_t>(seen.size()));
-  std::iota(order.begin(), order.end(), 0);
-  // Where the symmetry is exact the rest is rounding, 1e-10.
-  std::stable_partition(order.begin(), order.end(), [&](Eigen::Index k) { return seen(k) > 1e-5 * seen.maxCoeff(); });
-  return {modes.vectors(Eigen::all, order), modes.stiffness(order, order)};
-}
+class Stopwatch {
+ public:
+  /// Since the last lap.
+  double lap_s() {
+    const Clock::time_point before = last_;
+    last_ = Clock::now();
+    return std::chrono::duration<double>(last_ - before).count();
+  }
+
+ private:
+  using Clock = std::chrono::steady_clock;
+  Clock::time_point last_ = Clock::now();
+};
 
 }  // namespace
 
@@ -43,12 +45,15 @@ PanelImpact::PanelImpact(const Shell& shell, const Structure& body, const Contac
                          const ImplicitImpactSetup& setup, const PanelImpactOptions& options)
     : shell_(shell), body_(body), options_(options), step_s_(setup.step_s) {
   require_updates(options, setup.step_s);
-  static_factor_ = std::make_unique<Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>>(body.stiffness);
+  Stopwatch watch;
+  static_factor_ = SparseCholesky::of(body.stiffness);
   const VectorXd load = body.contacts.col(0);
-  const bool held = static_factor_->info() == Eigen::Success &&
-                    (body.stiffness * static_factor_->solve(load) - load).norm() <= 1e-6 * load.norm();
+  const bool held =
+      static_factor_ && (body.stiffness * static_factor_->solve(load) - load).norm() <= 1e-6 * load.norm();
   require(held, "the panel can move as a rigid body; hold it at its edges");
+  set_up_.factorisation_s = watch.lap_s();
   reduce();
+  (void)watch.lap_s();
   const VectorXd& contact = body.contacts.col(0);
   ImplicitImpactSetup own = setup;
   VectorXd seen = contact;
@@ -62,6 +67,7 @@ PanelImpact::PanelImpact(const Shell& shell, const Structure& body, const Contac
     }
   }
   impact_ = std::make_unique<ImplicitImpact>(*equations_, seen, law, own);
+  set_up_.factorisation_s += watch.lap_s();
   initial_energy_J_ = impact_->total_energy();
   before_ = impact_->displacement();
 }
@@ -72,15 +78,19 @@ void PanelImpact::reduce() {
     equations_ = linear ? linear_equations(body_) : shell_equations(shell_, body_);
     return;
   }
+  Stopwatch watch;
+  const LinearSolver inverse = [this](const VectorXd& b) { return static_factor_->solve(b); };
   basis_ = std::make_unique<ReducedBasis>(
-      options_.method == PanelMethod::ritz
-          ? ritz_basis(body_.stiffness, body_.mass, body_.contacts.col(0), options_.vectors)
-          : modal_basis(shell_, body_, options_.vectors, options_.modes));
+      options_.method == PanelMethod::modes
+          ? modal_basis(shell_, body_, options_.vectors, options_.modes)
+          : ritz_basis(inverse, body_.stiffness, body_.mass, body_.contacts.col(0), options_.vectors));
+  set_up_.vectors_s = watch.lap_s();
   if (linear) {
     equations_ = linear_equations(*basis_);
   } else if (options_.method == PanelMethod::tensor) {
-    *basis_ = excited_first(*basis_, body_.contacts.col(0));
-    tensors_ = std::make_unique<TensorModel>(tensor_model(shell_, body_, *basis_, options_.nonlinear_vectors));
+    tensors_ = std::make_unique<TensorModel>(
+        tensor_model(shell_, body_, *static_factor_, *basis_, options_.nonlinear_vectors));
+    set_up_.tensors_s = watch.lap_s();
     equations_ = tensor_equations(*tensors_);
   } else {
     equations_ = projected_equations(shell_, *basis_);
@@ -122,7 +132,7 @@ void PanelImpact::advance() {
 
 VectorXd PanelImpact::expand(const VectorXd& coordinates) const {
   if (tensors_) return expanded(*tensors_, coordinates);
-  return basis_ ? VectorXd(basis_->vectors * coordinates) : coordinates;
+  return basis_ ? VectorXd(basis_->vectors.leftCols(coordinates.size()) * coordinates) : coordinates;
 }
 
 VectorXd PanelImpact::displacement() const { return expand(impact_->displacement()); }
@@ -131,11 +141,15 @@ VectorXd PanelImpact::whole_force(const VectorXd& q) const {
   return options_.geometry == Geometry::linear ? VectorXd(body_.stiffness * q) : shell_.internal(q).force;
 }
 
-double PanelImpact::unbalanced_force() const {
-  const VectorXd& dv = impact_->last_change_of_velocity();
-  const VectorXd acceleration = (basis_ ? VectorXd(basis_->vectors * dv) : dv) / step_s_;
-  const VectorXd unbalanced = impact_->mean_force_N() * body_.contacts.col(0) -
-                              (whole_force(expand(before_)) + whole_force(displacement())) / 2 -
+PanelStep PanelImpact::last_step() const {
+  return {before_, impact_->displacement(), impact_->last_change_of_velocity(), impact_->mean_force_N()};
+}
+
+double PanelImpact::unbalanced_force(const PanelStep& step) const {
+  const VectorXd& dv = step.change_of_velocity;
+  const VectorXd acceleration = (basis_ ? VectorXd(basis_->vectors.leftCols(dv.size()) * dv) : dv) / step_s_;
+  const VectorXd unbalanced = step.mean_force_N * body_.contacts.col(0) -
+                              (whole_force(expand(step.before)) + whole_force(expand(step.after))) / 2 -
                               body_.mass * acceleration;
   return std::sqrt(unbalanced.dot(static_factor_->solve(unbalanced)) / (2 * initial_energy_J_));
 }

@@ -7,6 +7,7 @@
 #include <cstddef>
 #include <limits>
 #include <memory>
+#include <optional>
 #include <vector>
 
 namespace impulse {
@@ -16,7 +17,7 @@ enum class PanelMethod {
   full,    ///< every degree of freedom
   modes,   ///< mode superposition; a nonlinear mesh is evaluated at every force
   ritz,    ///< Wilson's Ritz vectors of the contact force, likewise
-  tensor,  ///< modes, the nonlinearity by tensors (TensorModel)
+  tensor,  ///< Ritz vectors, the nonlinearity by tensors (TensorModel)
 };
 
 enum class LeftOut {
@@ -28,12 +29,25 @@ struct PanelImpactOptions {
   PanelMethod method = PanelMethod::full;
   Geometry geometry = Geometry::nonlinear;
   std::size_t vectors = 60;            ///< of a reduction
-  ModeKind modes = ModeKind::any;      ///< of modes and tensor
-  std::size_t nonlinear_vectors = 20;  ///< of tensor: of the modes, those of finite amplitude, excited ones first
+  ModeKind modes = ModeKind::any;      ///< of modes
+  std::size_t nonlinear_vectors = 12;  ///< of tensor: the first vectors, of finite amplitude
   LeftOut left_out = LeftOut::static_;
   std::vector<double> update_s{};  ///< ritz: times, rising, at which Ritz vectors of the present state are added
   double update_tolerance = std::numeric_limits<double>::infinity();  ///< ritz: and whenever unbalanced_force is above
   std::size_t update_vectors = 20;                                    ///< as many each time
+};
+
+/// A step in the coordinates it was taken in; after updates of a Ritz basis it means the same.
+struct PanelStep {
+  Eigen::VectorXd before, after, change_of_velocity;
+  double mean_force_N = 0;
+};
+
+/// Where the time before the first step went [s].
+struct PanelSetUp {
+  double factorisation_s = 0;  ///< of the stiffness and, of all degrees of freedom, of a step's matrix
+  double vectors_s = 0;        ///< of the basis
+  double tensors_s = 0;
 };
 
 /// A rigid striker on a panel: the impact, in the coordinates that were chosen, with what the whole panel makes of it.
@@ -54,14 +68,19 @@ class PanelImpact {
   [[nodiscard]] const ImplicitImpact& impact() const { return *impact_; }
   [[nodiscard]] Eigen::Index unknowns() const { return equations_->size(); }
   [[nodiscard]] std::size_t update_count() const { return updates_; }
+  [[nodiscard]] const PanelSetUp& set_up() const { return set_up_; }
 
   /// Displacement of the whole panel, but for what is left out.
   [[nodiscard]] Eigen::VectorXd displacement() const;
 
-  /// √(rᵀK⁻¹r / 2E), r = F̄c - f̄ - M Δv/Δt in all degrees of freedom through the last step, E the energy that arrived: r
+  /// The last one, for unbalanced_force later on: a step by tensors is free of the mesh, its unbalanced force isn't.
+  [[nodiscard]] PanelStep last_step() const;
+
+  /// √(rᵀK⁻¹r / 2E), r = F̄c - f̄ - M Δv/Δt in all degrees of freedom through a step, E the energy that arrived: r
   /// would store this share of it, squared, were it let go. Near the tolerance for the full system; large for a basis
   /// under a point force even where its deflections are good, because r then has the whole dimple around the point.
-  [[nodiscard]] double unbalanced_force() const;
+  [[nodiscard]] double unbalanced_force(const PanelStep& step) const;
+  [[nodiscard]] double unbalanced_force() const { return unbalanced_force(last_step()); }
 
   /// The present energy less the one that arrived, relative to it.
   [[nodiscard]] double energy_drift() const;
@@ -77,7 +96,8 @@ class PanelImpact {
   PanelImpactOptions options_;
   double step_s_;
   double initial_energy_J_ = 0;
-  std::unique_ptr<Eigen::SimplicialLLT<Eigen::SparseMatrix<double>>> static_factor_;
+  PanelSetUp set_up_;
+  std::optional<SparseCholesky> static_factor_;
   std::unique_ptr<ReducedBasis> basis_;
   std::unique_ptr<TensorModel> tensors_;
   std::unique_ptr<MotionEquations> equations_;

@@ -103,12 +103,37 @@ VectorXd pair_products(const VectorXd& z) {
   return p;
 }
 
+MatrixXd pair_derivatives(const VectorXd& z) {
+  const Index n = z.size();
+  MatrixXd p = MatrixXd::Zero(n * (n + 1) / 2, n);
+  for (Index k = 0, at = 0; k < n; ++k)
+    for (Index j = 0; j <= k; ++j, ++at) {
+      p(at, j) += z(k);
+      p(at, k) += z(j);
+    }
+  return p;
+}
+
 VectorXd QuarticEnergy::force(const VectorXd& z, const VectorXd& pairs) const {
   VectorXd f = VectorXd::Zero(z.size());
   add_product(cubic, triple_products(z, pairs), f);
   add_product(quadratic, pairs, f);
   add_product(stiffness, z, f);
   return f;
+}
+
+MatrixXd QuarticEnergy::tangent(const VectorXd& z) const {
+  const Index n = z.size();
+  const VectorXd pairs = pair_products(z);
+  const MatrixXd by_z = pair_derivatives(z);
+  MatrixXd triples = MatrixXd::Zero(cubic.cols(), n);
+  for (Index l = 0, at = 0; l < n; ++l) {
+    const Index count = (l + 1) * (l + 2) / 2;
+    triples.middleRows(at, count) = z(l) * by_z.topRows(count);
+    triples.col(l).segment(at, count) += pairs.head(count);
+    at += count;
+  }
+  return stiffness + quadratic * by_z + cubic * triples;
 }
 
 double QuarticEnergy::energy(const VectorXd& z) const {

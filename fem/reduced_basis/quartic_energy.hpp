@@ -22,10 +22,14 @@ struct QuarticEnergy {
   [[nodiscard]] Eigen::Index size() const { return stiffness.rows(); }
   [[nodiscard]] Eigen::VectorXd force(const Eigen::VectorXd& z, const Eigen::VectorXd& pairs) const;  ///< pairs: p(z)
   [[nodiscard]] double energy(const Eigen::VectorXd& z) const;
+  [[nodiscard]] Eigen::MatrixXd tangent(const Eigen::VectorXd& z) const;  ///< ∂²E/∂z²
 };
 
 /// p(z).
 [[nodiscard]] Eigen::VectorXd pair_products(const Eigen::VectorXd& z);
+
+/// ∂p/∂z, a row per pair.
+[[nodiscard]] Eigen::MatrixXd pair_derivatives(const Eigen::VectorXd& z);
 
 /// A body of quartic energy seen from a basis: the tensors, and what the quadratic part of the internal force does
 /// outside the basis.

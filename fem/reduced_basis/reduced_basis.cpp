@@ -2,6 +2,7 @@
 
 #include "lib/contract/require.hpp"
 #include "lib/model/rigid_modes.hpp"
+#include "lib/numerics/dense_algebra.hpp"
 #include "lib/numerics/eigenpairs.hpp"
 
 #include <algorithm>
@@ -23,16 +24,30 @@ Eigenpairs lowest_modes(const Structure& body, std::size_t count) {
 }
 
 /// `vector` made M-orthogonal to the first columns, twice (once leaves what cancellation spares), and of unit M-norm;
-/// returns the share of its length that was left.
-double orthonormalise(const Sparse& mass, const MatrixXd& columns, Eigen::Index count, VectorXd& vector) {
+/// returns the share of its length that was left. `weighted` holds the products of M with the columns, and gets that
+/// with the vector.
+double orthonormalise(const Sparse& mass, const MatrixXd& columns, MatrixXd& weighted, Eigen::Index count,
+                      VectorXd& vector) {
   const double before = std::sqrt(vector.dot(mass * vector));
   for (int pass = 0; pass < 2; ++pass) {
-    const VectorXd weighted = mass * vector;
-    vector -= columns.leftCols(count) * (columns.leftCols(count).transpose() * weighted);
+    const VectorXd share = weighted.leftCols(count).transpose() * vector;
+    vector.noalias() -= columns.leftCols(count) * share;
   }
-  const double after = std::sqrt(vector.dot(mass * vector));
-  if (after > 0) vector /= after;
+  weighted.col(count).noalias() = mass * vector;
+  const double after = std::sqrt(vector.dot(weighted.col(count)));
+  if (after > 0) {
+    vector /= after;
+    weighted.col(count) /= after;
+  }
   return before > 0 ? after / before : 0;
+}
+
+/// VᵀKV, symmetric to the last bit.
+MatrixXd projected(const Sparse& stiffness, const MatrixXd& vectors) {
+  const MatrixXd product = stiffness * vectors;
+  MatrixXd reduced = MatrixXd::Zero(vectors.cols(), vectors.cols());
+  add_transposed_product(vectors, product, reduced);
+  return (reduced + reduced.transpose()) / 2;
 }
 
 }  // namespace
@@ -73,39 +88,44 @@ ReducedBasis modal_basis(const Shell& shell, const Structure& body, std::size_t 
   }
 }
 
-ReducedBasis ritz_basis(const Sparse& stiffness, const Sparse& mass, const VectorXd& load, std::size_t count) {
+ReducedBasis ritz_basis(const LinearSolver& inverse, const Sparse& stiffness, const Sparse& mass, const VectorXd& load,
+                        std::size_t count) {
   const Eigen::Index n = mass.rows();
   require(count >= 1 && static_cast<Eigen::Index>(count) <= n,
           "{} vectors are asked for, but the mesh has {} degrees of freedom; use more elements", count, n);
   require(load.size() == n && load.squaredNorm() > 0, "Ritz vectors need a load that isn't zero");
-  const Eigen::SimplicialLDLT<Sparse> factor(stiffness);
-  require(factor.info() == Eigen::Success, "the stiffness matrix cannot be factorised; hold the panel at its edges");
-  MatrixXd vectors(n, static_cast<Eigen::Index>(count));
+  MatrixXd vectors(n, static_cast<Eigen::Index>(count)), weighted(n, static_cast<Eigen::Index>(count));
   Eigen::Index found = 0;
-  VectorXd next = factor.solve(load);
+  VectorXd next = inverse(load);
   while (found < vectors.cols()) {
     // What is left of a vector that lies in the span of those before is their rounding.
-    if (orthonormalise(mass, vectors, found, next) < 1e-12) break;
-    vectors.col(found++) = next;
-    next = factor.solve(mass * next);
+    if (orthonormalise(mass, vectors, weighted, found, next) < 1e-12) break;
+    vectors.col(found) = next;
+    next = inverse(weighted.col(found++));
   }
   vectors.conservativeResize(Eigen::NoChange, found);
-  MatrixXd reduced = vectors.transpose() * (stiffness * vectors);
-  return {vectors, (reduced + reduced.transpose()) / 2};
+  return {vectors, projected(stiffness, vectors)};
+}
+
+ReducedBasis ritz_basis(const Sparse& stiffness, const Sparse& mass, const VectorXd& load, std::size_t count) {
+  const LinearSolver inverse = symmetric_solver(stiffness);
+  require(static_cast<bool>(inverse), "the stiffness matrix cannot be factorised; hold the panel at its edges");
+  return ritz_basis(inverse, stiffness, mass, load, count);
 }
 
 ReducedBasis appended(const ReducedBasis& basis, const MatrixXd& vectors, const Sparse& stiffness, const Sparse& mass) {
-  MatrixXd all(basis.vectors.rows(), basis.vectors.cols() + vectors.cols());
-  all.leftCols(basis.vectors.cols()) = basis.vectors;
-  Eigen::Index count = basis.vectors.cols();
+  const Eigen::Index first = basis.vectors.cols(), most = first + vectors.cols();
+  MatrixXd all(basis.vectors.rows(), most), weighted(basis.vectors.rows(), most);
+  all.leftCols(first) = basis.vectors;
+  weighted.leftCols(first) = mass * basis.vectors;
+  Eigen::Index count = first;
   for (Eigen::Index k = 0; k < vectors.cols(); ++k) {
     VectorXd next = vectors.col(k);
-    if (orthonormalise(mass, all, count, next) < 1e-6) continue;
+    if (orthonormalise(mass, all, weighted, count, next) < 1e-6) continue;
     all.col(count++) = next;
   }
   all.conservativeResize(Eigen::NoChange, count);
-  const MatrixXd reduced = all.transpose() * (stiffness * all);
-  return {all, (reduced + reduced.transpose()) / 2};
+  return {all, projected(stiffness, all)};
 }
 
 }  // namespace impulse

@@ -2,8 +2,7 @@
 
 #include "fem/reduced_basis/wide_product.hpp"
 #include "lib/contract/require.hpp"
-
-#include <Eigen/SparseCholesky>
+#include "lib/numerics/dense_algebra.hpp"
 
 namespace impulse {
 namespace {
@@ -29,16 +28,27 @@ class ReducedLinear : public MotionEquations {
       const VectorXd inverse = (m + k * basis_.stiffness.diagonal().array()).inverse();
       return [inverse](const VectorXd& r) -> VectorXd { return inverse.cwiseProduct(r); };
     }
-    MatrixXd matrix = k * basis_.stiffness;
-    matrix.diagonal().array() += m;
-    const auto factor = std::make_shared<Eigen::LDLT<MatrixXd>>(matrix);
-    return [factor](const VectorXd& r) -> VectorXd { return factor->solve(r); };
+    return dense_solver(m, k, basis_.stiffness);
   }
 
  protected:
+  [[nodiscard]] static Solver dense_solver(double m, double k, const MatrixXd& stiffness) {
+    MatrixXd matrix = k * stiffness;
+    matrix.diagonal().array() += m;
+    // As a product: m holds its condition down, and triangular solutions are slow at this size.
+    const MatrixXd inverse = matrix.ldlt().solve(MatrixXd::Identity(matrix.rows(), matrix.cols()));
+    return [inverse](const VectorXd& r) -> VectorXd {
+      VectorXd x = VectorXd::Zero(r.size());
+      add_product(inverse, r, x);
+      return x;
+    };
+  }
+
   [[nodiscard]] VectorXd stiffness_times(const VectorXd& q) const {
     if (diagonal_) return basis_.stiffness.diagonal().cwiseProduct(q);
-    return basis_.stiffness * q;
+    VectorXd force = VectorXd::Zero(q.size());
+    add_product(basis_.stiffness, q, force);
+    return force;
   }
 
   const ReducedBasis& basis_;
@@ -55,6 +65,9 @@ class Projected : public ReducedLinear {
   [[nodiscard]] double elastic_energy(const VectorXd& q) const override {
     return shell_.internal(basis_.vectors * q).energy_J;
   }
+  [[nodiscard]] Solver tangent_solver(double m, double k, const VectorXd& q) const override {
+    return dense_solver(m, k, basis_.vectors.transpose() * (shell_.tangent(basis_.vectors * q) * basis_.vectors));
+  }
 
  private:
   const Shell& shell_;
@@ -63,17 +76,19 @@ class Projected : public ReducedLinear {
 class Tensors : public ReducedLinear {
  public:
   explicit Tensors(const TensorModel& model)
-      : ReducedLinear(model.modes),
+      : ReducedLinear(model.basis),
         model_(model),
-        own_(model.modes.stiffness.diagonal().tail(model.companion.rows())),
-        companion_transposed_(model.companion.transpose()) {}
+        beside_(model.basis.stiffness),
+        companion_transposed_(model.companion.transpose()) {
+    beside_.topLeftCorner(model.energy.size(), model.energy.size()).setZero();
+  }
   [[nodiscard]] Geometry geometry() const override { return Geometry::nonlinear; }
   [[nodiscard]] VectorXd internal_force(const VectorXd& q) const override {
     const Index n = model_.energy.size();
     const VectorXd z = q.head(n), y = q.tail(q.size() - n), pairs = pair_products(z);
-    VectorXd force(q.size());
+    VectorXd force = VectorXd::Zero(q.size());
     force.head(n) = model_.energy.force(z, pairs);
-    force.tail(y.size()) = own_.cwiseProduct(y);
+    add_product(beside_, q, force);
     add_product(model_.companion, pairs, force.tail(y.size()));
     // ∂(gᵀp)/∂z for g = companionᵀ y.
     VectorXd g = VectorXd::Zero(pairs.size());
@@ -87,12 +102,28 @@ class Tensors : public ReducedLinear {
   [[nodiscard]] double elastic_energy(const VectorXd& q) const override {
     const Index n = model_.energy.size();
     const VectorXd z = q.head(n), y = q.tail(q.size() - n);
-    return model_.energy.energy(z) + y.dot(own_.cwiseProduct(y)) / 2 + y.dot(model_.companion * pair_products(z));
+    return model_.energy.energy(z) + q.dot(beside_ * q) / 2 + y.dot(model_.companion * pair_products(z));
+  }
+  [[nodiscard]] Solver tangent_solver(double m, double k, const VectorXd& q) const override {
+    const Index n = model_.energy.size(), others = q.size() - n;
+    const VectorXd z = q.head(n);
+    const MatrixXd pairs = pair_derivatives(z);
+    MatrixXd tangent = beside_;
+    tangent.topLeftCorner(n, n) += model_.energy.tangent(z);
+    tangent.bottomLeftCorner(others, n) += model_.companion * pairs;
+    tangent.topRightCorner(n, others) += (model_.companion * pairs).transpose();
+    const VectorXd g = companion_transposed_ * q.tail(others);
+    for (Index c = 0, at = 0; c < n; ++c)
+      for (Index r = 0; r <= c; ++r, ++at) {
+        tangent(r, c) += g(at);
+        tangent(c, r) += g(at);
+      }
+    return dense_solver(m, k, tangent);
   }
 
  private:
   const TensorModel& model_;
-  VectorXd own_;
+  MatrixXd beside_;  // the stiffness but for that of z, which the energy has
   MatrixXd companion_transposed_;
 };
 
@@ -116,32 +147,30 @@ std::unique_ptr<MotionEquations> projected_equations(const Shell& shell, const R
 
 std::unique_ptr<MotionEquations> tensor_equations(const TensorModel& model) { return std::make_unique<Tensors>(model); }
 
-TensorModel tensor_model(const Shell& shell, const Structure& body, const ReducedBasis& modes,
-                         std::size_t nonlinear_count) {
+TensorModel tensor_model(const Shell& shell, const Structure& body, const SparseCholesky& factor,
+                         const ReducedBasis& basis, std::size_t nonlinear_count) {
   const auto n = static_cast<Index>(nonlinear_count);
-  require(n >= 1 && n <= modes.vectors.cols(), "{} nonlinear modes of {}; ask for no more than there are", n,
-          modes.vectors.cols());
-  const MatrixXd finite = modes.vectors.leftCols(n);
+  require(n >= 1 && n <= basis.vectors.cols(), "{} nonlinear vectors of {}; ask for no more than there are", n,
+          basis.vectors.cols());
+  const MatrixXd finite = basis.vectors.leftCols(n);
   VectorXd amplitude(n);
   for (Index k = 0; k < n; ++k)
     amplitude(k) = shell.panel().laminate.thickness_m / largest_displacement(shell, finite.col(k));
   QuarticReduction reduction =
       quartic_reduction([&](const VectorXd& q) { return shell.internal(q).force; }, body.stiffness, finite, amplitude);
-  TensorModel model{modes, std::move(reduction.energy), {}, {}};
   const MatrixXd& force = reduction.quadratic_force;
-  model.companion = modes.vectors.rightCols(modes.vectors.cols() - n).transpose() * force;
-  const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor(body.stiffness);
-  require(factor.info() == Eigen::Success, "the stiffness matrix cannot be factorised; hold the panel at its edges");
-  const MatrixXd statically = factor.solve(force);
-  const MatrixXd dynamic = modes.stiffness.diagonal().cwiseInverse().asDiagonal() * (modes.vectors.transpose() * force);
-  model.slaved = modes.vectors * dynamic - statically;
-  const MatrixXd g = -force.transpose() * model.slaved;
-  condense(model.energy, (g + g.transpose()) / 2);
+  MatrixXd seen = MatrixXd::Zero(basis.vectors.cols(), force.cols());
+  add_transposed_product(basis.vectors, force, seen);
+  TensorModel model{basis, std::move(reduction.energy), seen.bottomRows(seen.rows() - n), {}};
+  model.slaved = basis.vectors * basis.stiffness.ldlt().solve(seen) - factor.solve(force);
+  MatrixXd g = MatrixXd::Zero(force.cols(), force.cols());
+  add_transposed_product(force, model.slaved, g);
+  condense(model.energy, -(g + g.transpose()) / 2);
   return model;
 }
 
 VectorXd expanded(const TensorModel& model, const VectorXd& coordinates) {
-  return model.modes.vectors * coordinates + model.slaved * pair_products(coordinates.head(model.energy.size()));
+  return model.basis.vectors * coordinates + model.slaved * pair_products(coordinates.head(model.energy.size()));
 }
 
 }  // namespace impulse

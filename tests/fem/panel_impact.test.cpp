@@ -14,6 +14,10 @@
 namespace impulse {
 namespace {
 
+double largest_deflection(const ContactTrace& trace) {
+  return *std::max_element(trace.displacement_2_m.begin(), trace.displacement_2_m.end());
+}
+
 /// The 20-ply panel with a radius of curvature of `ratio` thicknesses, struck in the middle by the steel sphere.
 struct TwentyPly {
   explicit TwentyPly(double thickness_m = 2.69e-3, double ratio = 4000)
@@ -32,8 +36,7 @@ struct TwentyPly {
   }
 
   [[nodiscard]] double deflection(const PanelImpact& panel) const {
-    const std::vector<double>& w = panel.impact().trace().displacement_2_m;
-    return *std::max_element(w.begin(), w.end()) / thickness;
+    return largest_deflection(panel.impact().trace()) / thickness;
   }
 
   Shell shell;
@@ -42,6 +45,9 @@ struct TwentyPly {
 };
 
 double impulse_of(const PanelImpact& panel) { return panel.impact().trace().running_impulse_Ns.back(); }
+
+/// Relative: doctest's Approx adds the tolerance itself to small values.
+double apart(double a, double b) { return std::abs(a / b - 1); }
 
 TEST_CASE("largest deflection and force at 28 µs by 6, 20, 40 and 60 modes, flexural or any") {
   const TwentyPly panel;
@@ -61,11 +67,11 @@ TEST_CASE("largest deflection and force at 28 µs by 6, 20, 40 and 60 modes, fle
                                          .left_out = LeftOut::rigid});
       const bool flexural = kind == ModeKind::flexural;
       const double force = run.impact().trace().force_N[140];
-      CHECK(panel.deflection(run) == doctest::Approx(flexural ? flexural_w[i] : any_w[i]).epsilon(0.01));
-      CHECK(force == doctest::Approx(flexural ? flexural_force[i] : any_force[i]).epsilon(0.01));
-      if (flexural) CHECK(panel.deflection(run) == doctest::Approx(thesis_w[i]).epsilon(0.01));
+      CHECK(apart(panel.deflection(run), flexural ? flexural_w[i] : any_w[i]) <= 0.01);
+      CHECK(apart(force, flexural ? flexural_force[i] : any_force[i]) <= 0.01);
+      if (flexural) CHECK(apart(panel.deflection(run), thesis_w[i]) <= 0.01);
       // The thesis' force at 40 modes lies between the two kinds', 301.4 against 289.3 and 298.5.
-      CHECK(force == doctest::Approx(thesis_force[i]).epsilon(flexural && i == 2 ? 0.045 : 0.0125));
+      CHECK(apart(force, thesis_force[i]) <= (flexural && i == 2 ? 0.045 : 0.0125));
     }
 }
 
@@ -76,28 +82,113 @@ TEST_CASE("twenty Ritz vectors or sixty modes with what they leave out give the 
     const PanelImpact run =
         panel.run(1e-6, 4e-4,
                   {.method = method, .geometry = Geometry::linear, .vectors = method == PanelMethod::ritz ? 40U : 60U});
-    CHECK(panel.deflection(run) == doctest::Approx(panel.deflection(whole)).epsilon(0.003));
-    CHECK(impulse_of(run) == doctest::Approx(impulse_of(whole)).epsilon(0.003));
+    CHECK(apart(panel.deflection(run), panel.deflection(whole)) <= 0.003);
+    CHECK(apart(impulse_of(run), impulse_of(whole)) <= 0.003);
   }
 }
 
-TEST_CASE("tensors follow the nonlinear mesh within one percent, curved and half as thick") {
+TEST_CASE("tensors follow the nonlinear mesh within one percent, curved and half as thick" *
+          doctest::test_suite("slow")) {
   for (const double thickness : {2.69e-3, 1.345e-3})
     for (const double ratio : {4000.0, 250.0, -250.0}) {
+      CAPTURE(thickness);
+      CAPTURE(ratio);
       const TwentyPly panel(thickness, ratio);
       const PanelImpact whole = panel.run(1e-6, 6e-4, {});
       const PanelImpact reduced = panel.run(1e-6, 6e-4, {.method = PanelMethod::tensor});
-      CHECK(panel.deflection(reduced) == doctest::Approx(panel.deflection(whole)).epsilon(0.01));
-      CHECK(impulse_of(reduced) == doctest::Approx(impulse_of(whole)).epsilon(0.01));
+      CHECK(apart(panel.deflection(reduced), panel.deflection(whole)) <= 0.01);
+      CHECK(apart(impulse_of(reduced), impulse_of(whole)) <= 0.01);
     }
+}
+
+/// A drop-weight panel of AS4/3502, [45/0/-45/90]ns, 8 × 4 elements, flat (radius 0) or curved.
+ContactTrace drop_weight(bool clamped, std::size_t plies, double radius_m, const PanelImpactOptions& options) {
+  const double length = (clamped ? 9.5 : 9.0) * 25.4e-3, width = (clamped ? 4.5 : 4.0) * 25.4e-3;
+  PanelShape shape{.length_m = length, .width_m = width};
+  if (radius_m != 0) {
+    shape.curvature = Curvature::along_y;
+    shape.radius_m = radius_m;
+  }
+  const Laminate laminate_of_plies =
+      laminate(layers_of(plies == 8 ? "[45/0/-45/90]s" : "[45/0/-45/90]2s", parse_ply("as4-3502:1600kg/m3"),
+                         static_cast<double>(plies) * 0.127e-3));
+  const Shell shell(shells::panel(shape, laminate_of_plies, clamped ? "CCCC" : "IIII", 8, 4));
+  const Structure body = shell_structure(shell, {{length / 2, width / 2}});
+  PanelImpact run(shell, body, ContactLaw::hertz(9.4e8),
+                  {.striker_mass_kg = 1.134, .speed_m_per_s = 1.0936, .step_s = 5e-6}, options);
+  for (int k = 0; k < 2000; ++k) run.advance();
+  return run.impact().trace();
+}
+
+TEST_CASE("tensors follow the drop-weight panels within one percent, at deflections of three thicknesses" *
+          doctest::test_suite("slow")) {
+  double most = 0;
+  for (const bool clamped : {true, false})
+    for (const std::size_t plies : {8U, 16U})
+      for (const double radius : {0.0, 1.524, -1.524}) {
+        CAPTURE(clamped);
+        CAPTURE(plies);
+        CAPTURE(radius);
+        const ContactTrace whole = drop_weight(clamped, plies, radius, {});
+        const ContactTrace reduced = drop_weight(clamped, plies, radius, {.method = PanelMethod::tensor});
+        CHECK(apart(largest_deflection(reduced), largest_deflection(whole)) <= 0.01);
+        CHECK(apart(reduced.running_impulse_Ns.back(), whole.running_impulse_Ns.back()) <= 0.01);
+        most = std::max(most, largest_deflection(whole) / (static_cast<double>(plies) * 0.127e-3));
+      }
+  CHECK(most > 3);
+}
+
+TEST_CASE(
+    "energy over 2 ms, the law's loss counted: kept by the conserving step, order 2 by Newmark's, lost by Wilson's" *
+    doctest::test_suite("slow")) {
+  const TwentyPly panel(2.69e-3, 250);
+  const auto drift = [&](double step, StepRule rule) { return panel.run(step, 2e-3, {}, rule).energy_drift(); };
+  const PanelImpact conserved = panel.run(2e-6, 2e-3, {}, StepRule::conserving);
+  // A thousand steps whose equilibrium is found to 1e-8 each.
+  CHECK(std::abs(conserved.energy_drift()) <= 1e-7);
+  // What the law dissipates is part of the sum: without it the drift were this.
+  CHECK(conserved.impact().trace().dissipated_J.back() > 0.03 * 0.5 * 8.537e-3 * 9);
+  const double coarse = drift(4e-6, StepRule::newmark), fine = drift(0.5e-6, StepRule::newmark);
+  CHECK(std::abs(drift(2e-6, StepRule::newmark)) <= 1e-5);
+  CHECK(std::abs(fine) <= 1e-6);
+  // Over three halvings; from one to the next the drift at a moment scatters.
+  CHECK(std::abs(std::log2(coarse / fine) / 3 - 2) <= 0.25);
+  CHECK(drift(4e-6, StepRule::wilson) < -0.05);
+  CHECK(drift(1e-6, StepRule::wilson) < -0.003);
+}
+
+TEST_CASE("a step by tensors knows nothing of the mesh") {
+  // The same coordinates on meshes of 4 x 4 and 8 x 8: the equations have the same sizes, so the same work per step,
+  // and a step's record for later holds coordinates alone.
+  std::vector<Eigen::Index> sizes;
+  for (const std::size_t count : {4U, 8U}) {
+    const Shell shell(shells::panel({.length_m = 0.1524, .width_m = 0.1016},
+                                    laminate(layers_of("[0/45/0/-45/0]2s", parse_ply("graphite-epoxy"), 2.69e-3)),
+                                    "IIII", count, count));
+    const Structure body = shell_structure(shell, {{0.0762, 0.0508}});
+    PanelImpact run(shell, body, ContactLaw::hertz(1.413e9),
+                    {.striker_mass_kg = 8.537e-3, .speed_m_per_s = 3, .step_s = 2e-6},
+                    {.method = PanelMethod::tensor, .vectors = 30, .nonlinear_vectors = 6});
+    for (int k = 0; k < 20; ++k) run.advance();
+    const PanelStep step = run.last_step();
+    sizes.push_back(step.before.size() + step.after.size() + step.change_of_velocity.size());
+    const double then = run.unbalanced_force();
+    for (int k = 0; k < 20; ++k) run.advance();
+    CHECK(run.unbalanced_force(step) == then);
+    CHECK(run.unbalanced_force() != then);
+    CHECK(run.set_up().factorisation_s > 0);
+    CHECK(run.set_up().tensors_s > 0);
+  }
+  CHECK(sizes[0] == 90);
+  CHECK(sizes[1] == 90);
 }
 
 TEST_CASE("tensors: one curved panel within one percent, the energy kept, nothing much unbalanced") {
   const TwentyPly panel(1.345e-3, 250);
   const PanelImpact whole = panel.run(2e-6, 5e-4, {});
   const PanelImpact reduced = panel.run(2e-6, 5e-4, {.method = PanelMethod::tensor}, StepRule::conserving);
-  CHECK(panel.deflection(reduced) == doctest::Approx(panel.deflection(whole)).epsilon(0.01));
-  CHECK(impulse_of(reduced) == doctest::Approx(impulse_of(whole)).epsilon(0.01));
+  CHECK(apart(panel.deflection(reduced), panel.deflection(whole)) <= 0.01);
+  CHECK(apart(impulse_of(reduced), impulse_of(whole)) <= 0.01);
   CHECK(std::abs(reduced.energy_drift()) <= 1e-6);
   CHECK(whole.unbalanced_force() <= 1e-5);
   CHECK(reduced.unbalanced_force() <= 0.2);

@@ -116,7 +116,7 @@ TEST_CASE("a plate in one shape, its plane condensed, hardens as by von Kármán
       shape.vectors /= std::sqrt(shape.vectors.col(0).dot(body.mass * shape.vectors.col(0)));
       shape.stiffness = shape.vectors.transpose() * body.stiffness * shape.vectors;
     }
-    const TensorModel model = tensor_model(shell, body, shape, 1);
+    const TensorModel model = tensor_model(shell, body, *SparseCholesky::of(body.stiffness), shape, 1);
     const double height = body.contacts.col(0).dot(shape.vectors.col(0));
     return model.energy.cubic(0, 0) / model.energy.stiffness(0, 0) * h * h / (height * height);
   };
@@ -129,6 +129,61 @@ TEST_CASE("a plate in one shape, its plane condensed, hardens as by von Kármán
     const double amplitude = 0.2 * (i + 1);  // per thickness
     CHECK(duffing_ratio(simple * amplitude * amplitude) == doctest::Approx(simple_ratio[i]).epsilon(1e-3));
     CHECK(duffing_ratio(clamped * amplitude * amplitude) == doctest::Approx(clamped_ratio[i]).epsilon(1e-3));
+  }
+}
+
+TEST_CASE("the tangent is the derivative of the force") {
+  const Case c;
+  const VectorXd z = c.coordinates();
+  const MatrixXd tangent = c.reduction.energy.tangent(z);
+  CHECK((tangent - tangent.transpose()).norm() <= 1e-12 * tangent.norm());
+  for (Eigen::Index i = 0; i < 7; ++i) {
+    const VectorXd d = z(i) * VectorXd::Unit(7, i);
+    const auto slope = [&](double scale) -> VectorXd {
+      const VectorXd up = z + scale * d, down = z - scale * d;
+      return (c.reduction.energy.force(up, pair_products(up)) - c.reduction.energy.force(down, pair_products(down))) /
+             (2 * scale * z(i));
+    };
+    // Of a cubic, central differences at h and 2h extrapolate to the derivative exactly.
+    const VectorXd exact = (4 * slope(0.1) - slope(0.2)) / 3;
+    CHECK((tangent.col(i) - exact).norm() <= 1e-11 * tangent.norm());
+  }
+}
+
+TEST_CASE("in the span of the finite vectors the model is the mesh, and the other vectors keep their stiffness") {
+  const Case c;
+  const ReducedBasis ritz = ritz_basis(c.body.stiffness, c.body.mass, c.body.contacts.col(0), 12);
+  const TensorModel model = tensor_model(c.shell, c.body, *SparseCholesky::of(c.body.stiffness), ritz, 5);
+  const auto equations = tensor_equations(model);
+  // Small: the nonlinear terms are gone, and force and energy are those of the linear mesh in the basis.
+  const VectorXd small = 1e-9 * VectorXd::LinSpaced(12, -1, 2);
+  const VectorXd linear = ritz.stiffness * small;
+  CHECK((equations->internal_force(small) - linear).norm() <= 1e-5 * linear.norm());
+  CHECK(equations->elastic_energy(small) / (small.dot(linear) / 2) == doctest::Approx(1).epsilon(1e-5));
+  // Finite: what the static coordinates take is the energy of the mesh's quadratic force on what the basis leaves out.
+  VectorXd q = VectorXd::Zero(12);
+  q.head(5) << 2e-3, -1e-3, 5e-4, 1e-3, -7e-4;
+  q.tail(7).setLinSpaced(-1e-5, 3e-5);
+  const VectorXd z = ritz.vectors.leftCols(5) * q.head(5), y = ritz.vectors.rightCols(7) * q.tail(7);
+  const VectorXd even = (c.shell.internal(z).force + c.shell.internal(-z).force) / 2;
+  const MatrixXd basis = ritz.vectors;
+  const VectorXd slaved =
+      basis * ritz.stiffness.ldlt().solve(basis.transpose() * even) - SparseCholesky::of(c.body.stiffness)->solve(even);
+  const double expected =
+      c.shell.internal(z).energy_J + y.dot(c.body.stiffness * (z + y / 2)) + y.dot(even) + even.dot(slaved) / 2;
+  CHECK(equations->elastic_energy(q) / expected == doctest::Approx(1).epsilon(1e-9));
+  CHECK((expanded(model, q) - (z + y + slaved)).norm() <= 1e-9 * z.norm());
+  CHECK(even.dot(slaved) < -1e-3 * expected);  // it matters here
+  // The force is the energy's derivative, and the tangent's matrix the force's.
+  const VectorXd force = equations->internal_force(q);
+  for (Eigen::Index i : {0, 3, 5, 11}) {
+    const double h = 1e-3 * std::abs(q(i));
+    const VectorXd d = h * VectorXd::Unit(12, i);
+    const double slope = (equations->elastic_energy(q + d) - equations->elastic_energy(q - d)) / (2 * h);
+    CHECK(slope / force(i) == doctest::Approx(1).epsilon(1e-4));
+    const VectorXd column = (equations->internal_force(q + d) - equations->internal_force(q - d)) / (2 * h);
+    const VectorXd back = equations->tangent_solver(0, 1, q)(column);
+    CHECK((back - VectorXd::Unit(12, i)).norm() <= 1e-4);
   }
 }
 
@@ -148,8 +203,8 @@ TEST_CASE("tensors of too many vectors are refused") {
   CHECK_THROWS_WITH_AS((void)quartic_reduction([](const VectorXd& q) { return q; }, c.body.stiffness,
                                                MatrixXd::Zero(c.shell.size(), 41), VectorXd::Ones(41)),
                        "tensors of 41 vectors (1 to 40) are dearer than evaluating the mesh", std::invalid_argument);
-  CHECK_THROWS_WITH_AS((void)tensor_model(c.shell, c.body, c.modes, 8),
-                       "8 nonlinear modes of 7; ask for no more than there are", std::invalid_argument);
+  CHECK_THROWS_WITH_AS((void)tensor_model(c.shell, c.body, *SparseCholesky::of(c.body.stiffness), c.modes, 8),
+                       "8 nonlinear vectors of 7; ask for no more than there are", std::invalid_argument);
 }
 
 }  // namespace
