@@ -2,6 +2,7 @@
 
 #include "lib/contract/require.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <cmath>
 
@@ -88,8 +89,9 @@ void PanelImpact::reduce() {
   if (linear) {
     equations_ = linear_equations(*basis_);
   } else if (options_.method == PanelMethod::tensor) {
+    const auto found = static_cast<std::size_t>(basis_->vectors.cols());  // fewer where the force excites no more
     tensors_ = std::make_unique<TensorModel>(
-        tensor_model(shell_, body_, *static_factor_, *basis_, options_.nonlinear_vectors));
+        tensor_model(shell_, body_, *static_factor_, *basis_, std::min(options_.nonlinear_vectors, found)));
     set_up_.tensors_s = watch.lap_s();
     equations_ = tensor_equations(*tensors_);
   } else {

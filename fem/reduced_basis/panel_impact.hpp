@@ -30,7 +30,7 @@ struct PanelImpactOptions {
   Geometry geometry = Geometry::nonlinear;
   std::size_t vectors = 60;            ///< of a reduction
   ModeKind modes = ModeKind::any;      ///< of modes
-  std::size_t nonlinear_vectors = 12;  ///< of tensor: the first vectors, of finite amplitude
+  std::size_t nonlinear_vectors = 12;  ///< of tensor: the first ones, of finite amplitude; at most 40
   LeftOut left_out = LeftOut::static_;
   std::vector<double> update_s{};  ///< ritz: times, rising, at which Ritz vectors of the present state are added
   double update_tolerance = std::numeric_limits<double>::infinity();  ///< ritz: and whenever unbalanced_force is above

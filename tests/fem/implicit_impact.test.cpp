@@ -155,7 +155,7 @@ ImplicitImpact snap(const MotionEquations& equations, const Struck& struck, Step
   return run;
 }
 
-TEST_CASE("a snap-through in steps too long for the stiffness at rest: the tangent is refreshed, and the order kept" *
+TEST_CASE("a snap-through in steps too long for the stiffness at rest: the tangent is refreshed and the order kept" *
           doctest::test_suite("slow")) {
   const Struck struck = snapping_panel();
   const auto equations = shell_equations(struck.shell, struck.body);
@@ -195,12 +195,14 @@ TEST_CASE("impacts that cannot be computed are refused") {
                        "the striker's mass 0 kg is not positive", std::invalid_argument);
   CHECK_THROWS_WITH_AS(start(ContactLaw::hertz(1e9), setup(1, 0, 1e-6, StepRule::newmark)),
                        "the striker's speed 0 m/s is not positive", std::invalid_argument);
-  ImplicitImpact fast = start(ContactLaw::hertz(1e9), setup(1, 1e5, 2e-3, StepRule::newmark));
+  ImplicitImpactSetup hasty = setup(1, 100, 2e-3, StepRule::newmark);
+  hasty.equilibrium.most_iterations = 3;
+  ImplicitImpact fast = start(ContactLaw::hertz(1e9), hasty);
   CHECK_THROWS_WITH_AS(
       [&] {
         for (int i = 0; i < 10; ++i) fast.advance();
       }(),
-      doctest::Contains("finds no equilibrium in 40 iterations; use a step shorter than 0.002 s"), ConvergenceError);
+      doctest::Contains("finds no equilibrium in 3 iterations; use a step shorter than 0.002 s"), ConvergenceError);
 }
 
 }  // namespace

@@ -87,7 +87,7 @@ TEST_CASE("twenty Ritz vectors or sixty modes with what they leave out give the 
   }
 }
 
-TEST_CASE("tensors follow the nonlinear mesh within one percent, curved and half as thick" *
+TEST_CASE("tensors follow the nonlinear mesh within one percent: curved and half as thick" *
           doctest::test_suite("slow")) {
   for (const double thickness : {2.69e-3, 1.345e-3})
     for (const double ratio : {4000.0, 250.0, -250.0}) {
@@ -120,8 +120,9 @@ ContactTrace drop_weight(bool clamped, std::size_t plies, double radius_m, const
   return run.impact().trace();
 }
 
-TEST_CASE("tensors follow the drop-weight panels within one percent, at deflections of three thicknesses" *
-          doctest::test_suite("slow")) {
+TEST_CASE(
+    "tensors follow the drop-weight panels within one percent: flat and curved at deflections of three thicknesses" *
+    doctest::test_suite("slow")) {
   double most = 0;
   for (const bool clamped : {true, false})
     for (const std::size_t plies : {8U, 16U})
@@ -138,9 +139,8 @@ TEST_CASE("tensors follow the drop-weight panels within one percent, at deflecti
   CHECK(most > 3);
 }
 
-TEST_CASE(
-    "energy over 2 ms, the law's loss counted: kept by the conserving step, order 2 by Newmark's, lost by Wilson's" *
-    doctest::test_suite("slow")) {
+TEST_CASE("energy over 2 ms with the law's loss: kept by the conserving step; order 2 by Newmark's; lost by Wilson's" *
+          doctest::test_suite("slow")) {
   const TwentyPly panel(2.69e-3, 250);
   const auto drift = [&](double step, StepRule rule) { return panel.run(step, 2e-3, {}, rule).energy_drift(); };
   const PanelImpact conserved = panel.run(2e-6, 2e-3, {}, StepRule::conserving);
