@@ -84,7 +84,7 @@ void panel_run(benchmark::State& state) {
   state.counters["run_ratio"] = full.total_s() / tensor.total_s();
   state.counters["most"] = full.total_s() / std::min(full.mesh_s, tensor.mesh_s);
 }
-BENCHMARK(panel_run)->Args({8, 500})->Args({8, 2000})->Iterations(10)->Unit(benchmark::kMillisecond);
+BENCHMARK(panel_run)->Args({8, 500})->Args({8, 2000})->Args({8, 4000})->Iterations(10)->Unit(benchmark::kMillisecond);
 BENCHMARK(panel_run)->Args({16, 500})->Args({16, 2000})->Iterations(3)->Unit(benchmark::kMillisecond);
 BENCHMARK(panel_run)->Args({32, 500})->Args({32, 2000})->Iterations(1)->Unit(benchmark::kMillisecond);
 
@@ -101,9 +101,6 @@ void shell_solution(benchmark::State& state) {
   const auto factor = SparseCholesky::of(shell.tangent(Eigen::VectorXd::Zero(shell.size())));
   const Eigen::MatrixXd b = Eigen::MatrixXd::Ones(shell.size(), state.range(1));
   for (auto _ : state) benchmark::DoNotOptimize(factor->solve(b));
-  state.counters["us_each"] =
-      benchmark::Counter(static_cast<double>(state.range(1)) * 1e-6,
-                         benchmark::Counter::kIsIterationInvariantRate | benchmark::Counter::kInvert);
 }
 BENCHMARK(shell_solution)->ArgsProduct({{8, 16, 32}, {1, 78}})->Unit(benchmark::kMillisecond);
 

@@ -86,12 +86,13 @@ Eigen::SparseMatrix<double> Shell::assembled(
     element_matrix(e, full);
     const Eigen::MatrixXd basis = element_basis(elements_[e]);
     const Eigen::MatrixXd half = full * basis;
-    const Eigen::MatrixXd own = basis.transpose() * half;
+    Eigen::MatrixXd own = basis.transpose() * half;
+    // Rounding leaves the products of Gauss points unsymmetric in the last bit.
+    own = (own + own.transpose()).eval() / 2;
     const int* position = position_.data() + position_start_[e];
     for (Eigen::Index k = 0; k < own.size(); ++k) values[position[k]] += own.data()[k];
   }
-  // Rounding leaves the products of Gauss points unsymmetric in the last bit.
-  return (matrix + Eigen::SparseMatrix<double>(matrix.transpose())) / 2;
+  return matrix;
 }
 
 Eigen::SparseMatrix<double> Shell::tangent(const Eigen::VectorXd& z) const {
