@@ -23,6 +23,7 @@ enum class OutputFormat { csv, universal, universal_binary, mat, mat73 };
 struct Options {
   std::vector<std::string> files;
   RecordFormat format = RecordFormat::automatic;
+  std::optional<std::size_t> record;
   bool list_channels = false;
   bool list_metadata = false;
   bool zero_time = false;
@@ -49,7 +50,9 @@ const ToolPage page{
     "standard "
     "error what it saw, what it took for granted and what it repaired. A column of times that was rounded "
     "until values repeat is rebuilt from the rate.\n"
-    "CHANNEL is a name or a number from 1, as --list-channels shows them.",
+    "CHANNEL is a name or a number from 1, as --list-channels shows them. A file that holds several records of "
+    "different times (segments of a .lvm, channels of a universal or MATLAB file) lists them with the number of "
+    "their record.",
     "printf 'Time (ms);Force (kN)\\n0,0;0\\n0,1;1,5\\n0,2;3,25\\n' > record.txt\n"
     "ir-convert record.txt --list-channels\n"
     "ir-convert record.txt --rename Force=force -o force.csv"};
@@ -76,6 +79,9 @@ void declare(Command& command, Options& options) {
                   {"mat", RecordFormat::matlab},
                   {"wav", RecordFormat::wav}},
                  "format of the record");
+  command.count("--record", options.record, 1,
+                "take this record of a file that holds several, counted from 1: a segment of a .lvm, channels that "
+                "have times of their own (default: the only one, or that of the --channel)");
   command.flag("--list-channels", options.list_channels,
                "write the channels instead, as CSV with their unit, samples, times and extremes");
   command.flag("--list-metadata", options.list_metadata, "write what else the record says instead, as CSV key,value");
@@ -155,7 +161,7 @@ void list_metadata(const RecordHeader& header, const std::string& path) {
   output.close();
 }
 
-void list_record(RecordRows& rows, std::size_t& number, CsvOutput& output) {
+void list_record(RecordRows& rows, std::size_t record, std::size_t& number, CsvOutput& output) {
   const RecordHeader& header = rows.header();
   const std::vector<std::string> columns = record_columns(header);
   struct Extremes {
@@ -174,16 +180,25 @@ void list_record(RecordRows& rows, std::size_t& number, CsvOutput& output) {
       output.row({static_cast<double>(number), channel.name, columns[column], channel.unit, channel.quantity,
                   static_cast<double>(abscissa.size), extremes[0].least,
                   abscissa.is_even() ? std::optional<double>(abscissa.step) : std::nullopt, extremes[0].most,
-                  extremes[column].least, extremes[column].most});
+                  extremes[column].least, extremes[column].most, static_cast<double>(record)});
   }
 }
 
-void list_channels(std::vector<std::unique_ptr<RecordRows>>& records, const std::string& path) {
-  CsvOutput output(
-      path, {"channel", "name", "column", "unit", "quantity", "samples", "start", "step", "end", "minimum", "maximum"});
+void list_channels(std::vector<std::unique_ptr<RecordRows>>& records, std::size_t first, const std::string& path) {
+  CsvOutput output(path, {"channel", "name", "column", "unit", "quantity", "samples", "start", "step", "end", "minimum",
+                          "maximum", "record"});
   std::size_t number = 0;
-  for (const std::unique_ptr<RecordRows>& record : records) list_record(*record, number, output);
+  for (std::size_t r = 0; r < records.size(); ++r) list_record(*records[r], first + r, number, output);
   output.close();
+}
+
+void keep_record(std::size_t number, std::vector<std::unique_ptr<RecordRows>>& records) {
+  if (number > records.size())
+    throw UsageError("--record", fmt::format("the file has {} record{}, not {}", records.size(),
+                                             records.size() == 1 ? "" : "s", number));
+  std::unique_ptr<RecordRows> kept = std::move(records[number - 1]);
+  records.clear();
+  records.push_back(std::move(kept));
 }
 
 OutputFormat output_format(const Options& options) {
@@ -207,7 +222,7 @@ std::unique_ptr<RecordRows> chosen_record(std::vector<std::unique_ptr<RecordRows
     }
   if (conversion.channels.empty())
     throw UsageError("--channel", fmt::format("the file has {} records of different times: say which channels of one "
-                                              "of them (--list-channels lists them)",
+                                              "of them (--list-channels lists them), or --record",
                                               records.size()));
   const std::size_t owner = owners[channel_index(all, conversion.channels.front(), "--channel")];
   const auto within = [&](std::string& channel, const char* flag) {
@@ -242,6 +257,9 @@ int run(const Options& options) {
   RecordConversion conversion = conversion_of(options);
   const RecordFile file(options.files.front());
   std::vector<std::unique_ptr<RecordRows>> records = read_records(file, read);
+  if (!options.quiet && records.size() > 1)
+    say(file.name(), fmt::format("{} records, each with times of its own", records.size()));
+  if (options.record) keep_record(*options.record, records);
   if (!options.quiet) say(file.name(), records.front()->header().format);
   if (options.list_metadata) {
     list_metadata(records.front()->header(), options.output);
@@ -258,7 +276,7 @@ int run(const Options& options) {
       for (const std::string& note : record->header().notes) say(file.name(), note);
   }
   if (options.list_channels)
-    list_channels(records, options.output);
+    list_channels(records, options.record.value_or(1), options.output);
   else
     write(options, *records.front());
   return 0;

@@ -71,10 +71,7 @@ std::vector<std::unique_ptr<RecordRows>> read_records(const RecordFile& file, co
   if (format == RecordFormat::matlab) found = read_mat_file(file, options.sampling);
   if (format == RecordFormat::wav) found.push_back(read_wav_file(file, options.binary.incomplete));
   std::vector<std::unique_ptr<RecordRows>> records;
-  if (found.empty()) {
-    records.push_back(read_text_record(file, dialect(format), options.text, options.sampling));
-    return records;
-  }
+  if (found.empty()) return read_text_records(file, dialect(format), options.text, options.sampling);
   for (Record& record : found) {
     if (format != RecordFormat::matlab) replace_sampling(record, options.sampling);
     records.push_back(record_rows(std::move(record)));

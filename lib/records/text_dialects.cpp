@@ -13,17 +13,16 @@
 namespace impulse {
 namespace {
 
-constexpr std::string_view end_of_header = "***End_of_Header***";
-
 std::size_t line_that_begins(const TextHead& head, std::size_t from, std::string_view beginning) {
   for (std::size_t i = from; i < head.lines.size(); ++i)
     if (head.lines[i].starts_with(beginning)) return i;
-  throw InputError(head.file, head.lines.size(), 0, fmt::format("the heading breaks off ('{}' is missing)", beginning));
+  throw InputError(head.file, head.number(head.lines.size()) - 1, 0,
+                   fmt::format("the heading breaks off ('{}' is missing)", beginning));
 }
 
 void add_metadata(const TextHead& head, std::size_t from, std::size_t to, TextMetadata& metadata, TextLayout& layout) {
   for (std::size_t i = from; i < to; ++i) {
-    std::optional<TextMetadata::Entry> entry = metadata_entry(head.lines[i], layout.delimiter, i + 1);
+    std::optional<TextMetadata::Entry> entry = metadata_entry(head.lines[i], layout.delimiter, head.number(i));
     if (!entry) continue;
     layout.metadata.emplace_back(entry->key, fmt::format("{}", fmt::join(entry->values, ", ")));
     metadata.entries.push_back(std::move(*entry));
@@ -39,9 +38,9 @@ std::string first_value(const TextMetadata& metadata, std::string_view key) {
 
 std::optional<TextLayout> labview_layout(const TextHead& head) {
   if (head.lines.empty() || !head.lines.front().starts_with("LabVIEW Measurement")) return std::nullopt;
-  const std::size_t first_end = line_that_begins(head, 0, end_of_header);
-  const std::size_t second_end = line_that_begins(head, first_end + 1, end_of_header);
-  const std::size_t names = line_that_begins(head, second_end + 1, "X_Value");
+  const std::size_t first_end = line_that_begins(head, 0, labview_end_of_header);
+  const std::size_t second_end = line_that_begins(head, first_end + 1, labview_end_of_header);
+  const std::size_t names = line_that_begins(head, second_end + 1, labview_names);
 
   TextLayout layout;
   layout.format = "LabVIEW measurement (.lvm)";
@@ -57,7 +56,7 @@ std::optional<TextLayout> labview_layout(const TextHead& head) {
   const bool has_times = first_value(metadata, "xcolumns") != "No";
   bool abscissa_seen = false;
   for (const std::string& name : split_fields(head.lines[names], layout.delimiter)) {
-    const bool is_time = name == "X_Value";
+    const bool is_time = name == labview_names;
     const bool is_abscissa = is_time && has_times && !abscissa_seen;
     abscissa_seen = abscissa_seen || is_abscissa;
     layout.columns.push_back({is_abscissa                    ? TextColumn::Role::abscissa
@@ -66,8 +65,7 @@ std::optional<TextLayout> labview_layout(const TextHead& head) {
                               is_abscissa ? "time" : name, is_abscissa ? "s" : ""});
   }
   take_channels(metadata, layout);
-  layout.stop = "Channels";
-  layout.first_line = names + 2;
+  layout.first_line = head.number(names) + 1;
   return layout;
 }
 
@@ -84,7 +82,13 @@ std::optional<TextLayout> lanl_layout(const TextHead& head) {
   const double start = *field_number(rows[1][2], '.'), step = *field_number(rows[2][2], '.');
   if (!(step > 0)) return std::nullopt;
 
-  TextLayout layout{"Kolsky bar, Los Alamos (.raw)", '\t', '.', 4, {{}, {}}, start, step, "line 3", {}, {}, ""};
+  TextLayout layout{.format = "Kolsky bar, Los Alamos (.raw)",
+                    .delimiter = '\t',
+                    .first_line = 4,
+                    .columns = {{}, {}},
+                    .start = start,
+                    .step = step,
+                    .step_source = "line 3"};
   layout.notes.push_back("waveforms are in volts, as in every file of this format");
   for (std::size_t c = 2; c < width; ++c) {
     if (*field_number(rows[1][c], '.') != start || *field_number(rows[2][c], '.') != step)

@@ -1,6 +1,9 @@
 #pragma once
 
+#include "lib/records/text_lines.hpp"
+
 #include <cstddef>
+#include <limits>
 #include <optional>
 #include <string>
 #include <utility>
@@ -20,14 +23,15 @@ struct TextLayout {
   std::string format;    ///< in words
   char delimiter = ',';  ///< ' ' stands for any number of blanks and tabs
   char decimal_sign = '.';
+  TextPlace begin = {};        ///< at or before the first row
   std::size_t first_line = 1;  ///< of the rows, from 1
-  std::vector<TextColumn> columns;
+  std::size_t last_line = std::numeric_limits<std::size_t>::max();
+  std::vector<TextColumn> columns = {};
   std::optional<double> start;  ///< in SI, if the heading says it
   std::optional<double> step;   ///< in SI, > 0, if the heading says it
   std::string step_source;      ///< for messages: `'Sample Interval'`
-  std::vector<std::pair<std::string, std::string>> metadata;
-  std::vector<std::string> notes;
-  std::string stop;  ///< a line that begins with this begins another record; "" for none
+  std::vector<std::pair<std::string, std::string>> metadata = {};
+  std::vector<std::string> notes = {};
 };
 
 /// What the user knows better than the file.
@@ -41,8 +45,14 @@ struct TextOptions {
 /// The first lines of a text, in UTF-8.
 struct TextHead {
   std::string file;  ///< for messages
-  std::vector<std::string> lines;
-  bool is_whole = true;  ///< no further lines follow
+  std::vector<std::string> lines = {};
+  bool is_whole = true;         ///< no further lines follow
+  std::size_t kept = 0;         ///< after so many lines
+  std::size_t passed_over = 0;  ///< so many are left out
+  std::string encoding = {};    ///< of the file, as iconv calls it
+
+  /// Number in the file, from 1, of lines[i].
+  [[nodiscard]] std::size_t number(std::size_t i) const { return i + 1 + (i < kept ? 0 : passed_over); }
 };
 
 enum class TextDialect { any, delimited, tektronix, labview, dewesoft, transient, lanl };

@@ -7,11 +7,12 @@
 
 namespace impulse {
 
-TextLines::TextLines(const RecordFile& file) : file_(file), buffer_(std::size_t{1} << 20) {
+TextLines::TextLines(const RecordFile& file, const TextPlace& from)
+    : file_(file), buffer_(std::size_t{1} << 20), offset_(from.offset), number_(from.lines) {
   refill();
   const std::string_view head(buffer_.data(), end_);
   if (head.find('\n') == head.npos && head.find('\r') != head.npos) terminator_ = '\r';
-  if (head.starts_with("\xEF\xBB\xBF")) begin_ = 3;
+  if (from.offset == 0 && head.starts_with("\xEF\xBB\xBF")) begin_ = 3;
 }
 
 void TextLines::refill() {

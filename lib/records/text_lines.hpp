@@ -7,10 +7,16 @@
 
 namespace impulse {
 
+/// A place between two lines.
+struct TextPlace {
+  std::uint64_t offset = 0;  ///< bytes before it
+  std::size_t lines = 0;     ///< lines before it
+};
+
 /// The lines of a text one by one, in the memory of one line (or 1 MiB), whatever ends them: LF, CRLF, or CR alone.
 class TextLines {
  public:
-  explicit TextLines(const RecordFile& file);
+  explicit TextLines(const RecordFile& file, const TextPlace& from = {});
 
   /// The next line without its end; false after the last. It is valid until the next call.
   /// @throws InputError if a line is longer than 64 MiB.
@@ -18,6 +24,9 @@ class TextLines {
 
   /// Number of the line that next() gave, from 1.
   [[nodiscard]] std::size_t number() const { return number_; }
+
+  /// Where the next line begins.
+  [[nodiscard]] TextPlace place() const { return {offset_ - (end_ - begin_), number_}; }
 
  private:
   void refill();

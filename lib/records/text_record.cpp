@@ -3,7 +3,7 @@
 #include "lib/contract/errors.hpp"
 #include "lib/records/even_time.hpp"
 #include "lib/records/record_unit.hpp"
-#include "lib/records/text_encoding.hpp"
+#include "lib/records/text_heading.hpp"
 #include "lib/records/text_lines.hpp"
 #include "lib/records/text_row.hpp"
 
@@ -16,49 +16,6 @@
 namespace impulse {
 namespace {
 
-// Headings are a few lines; the second length is for those who keep a diary in them.
-constexpr std::array head_sizes{std::size_t{1} << 16, std::size_t{1} << 22};
-
-TextHead decoded_head(const RecordFile& file, std::size_t most, const TextOptions& options) {
-  std::string bytes = file.head(most);
-  if (bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF"))
-    throw InputError(file.name(), 0, 0, "the text is UTF-16 (iconv -f UTF-16 -t UTF-8 converts it)");
-  if (bytes.starts_with("\xEF\xBB\xBF")) bytes.erase(0, 3);
-  const std::size_t zero = bytes.find('\0');
-  if (zero != std::string::npos)
-    throw InputError(file.name(), 0, 0,
-                     fmt::format("byte {} is zero: neither text nor a format that is known", zero + 1));
-  const std::string encoding = options.encoding.value_or(text_encoding(bytes));
-  const char terminator = bytes.find('\n') == std::string::npos ? '\r' : '\n';
-  TextHead head{file.name(), {}, bytes.size() == file.size() || file.size() <= most};
-  std::string_view rest = bytes;
-  while (!rest.empty()) {
-    const std::size_t end = rest.find(terminator);
-    if (end == rest.npos && !head.is_whole) break;
-    std::string_view line = rest.substr(0, end);
-    while (line.ends_with('\r')) line.remove_suffix(1);
-    head.lines.push_back(to_utf8(line, encoding));
-    rest.remove_prefix(end == rest.npos ? rest.size() : end + 1);
-  }
-  return head;
-}
-
-TextLayout find_layout(const RecordFile& file, TextDialect dialect, const TextOptions& options) {
-  if (file.size() == 0) throw InputError(file.name(), 0, 0, "empty (expected a record)");
-  for (const std::size_t most : head_sizes) {
-    const TextHead head = decoded_head(file, most, options);
-    const bool last_try = head.is_whole || most == head_sizes.back();
-    try {
-      TextLayout layout = text_layout(head, dialect, options);
-      // Rows that end where the head does may be those of a table in the heading.
-      if (last_try || layout.first_line + 100 < head.lines.size() + 1) return layout;
-    } catch (const InputError&) {
-      if (last_try) throw;
-    }
-  }
-  throw InputError(file.name(), 0, 0, "no rows of numbers in the first 4 MiB");
-}
-
 // Fewer values, if not even as they are, are taken for uneven.
 constexpr std::size_t fewest_rounded = 10;
 
@@ -69,8 +26,8 @@ double in_unit(double value, const RecordUnit& unit) {
 
 class TextRecord : public RecordRows {
  public:
-  TextRecord(const RecordFile& file, TextDialect dialect, const TextOptions& options, const Sampling& sampling)
-      : file_(file), layout_(find_layout(file, dialect, options)), row_(file.name(), layout_), lines_(file) {
+  TextRecord(const RecordFile& file, TextLayout layout, const Sampling& sampling)
+      : file_(file), layout_(std::move(layout)), row_(file.name(), layout_) {
     header_.format = layout_.format;
     header_.metadata = layout_.metadata;
     header_.notes = layout_.notes;
@@ -88,14 +45,15 @@ class TextRecord : public RecordRows {
 
   [[nodiscard]] bool next(std::span<double> row) override {
     std::string_view line;
-    while (index_ < header_.abscissa.size && lines_.next(line)) {
-      if (lines_.number() < layout_.first_line || !TextRow::counts(line)) continue;
-      require_whole(row_.parse(line, lines_.number(), row), lines_.number());
-      row[0] = header_.abscissa.is_even() ? header_.abscissa.at(index_) : in_unit(row[0], abscissa_unit_);
-      ++index_;
-      return true;
+    if (index_ < header_.abscissa.size && !lines_) lines_.emplace(file_, layout_.begin);
+    if (index_ == header_.abscissa.size || !next_row(*lines_, line)) {
+      lines_.reset();  // a file may have thousands of segments
+      return false;
     }
-    return false;
+    require_whole(row_.parse(line, lines_->number(), row), lines_->number());
+    row[0] = header_.abscissa.is_even() ? header_.abscissa.at(index_) : in_unit(row[0], abscissa_unit_);
+    ++index_;
+    return true;
   }
 
  private:
@@ -105,20 +63,21 @@ class TextRecord : public RecordRows {
                        fmt::format("the row breaks off after {} of {} fields", fields, row_.field_count()));
   }
 
+  /// The next line that counts as a row, from `lines` of this record's part of the file.
+  [[nodiscard]] bool next_row(TextLines& lines, std::string_view& line) const {
+    while (lines.number() < layout_.last_line && lines.next(line))
+      if (lines.number() >= layout_.first_line && TextRow::counts(line)) return true;
+    return false;
+  }
+
   /// Calls `use` for every row but a last one that breaks off.
   template <class Use>
   void for_each_row(const Use& use) {
-    TextLines lines(file_);
+    TextLines lines(file_, layout_.begin);
     std::string_view line;
     std::string last;
     std::size_t last_number = 0;
-    while (lines.next(line)) {
-      if (lines.number() < layout_.first_line || !TextRow::counts(line)) continue;
-      if (layout_.stop.size() > 0 && line.starts_with(layout_.stop))
-        throw InputError(
-            file_.name(), lines.number(), 0,
-            "a second segment begins here, with times of its own: cut the file in two (each part needs the "
-            "first heading)");
+    while (next_row(lines, line)) {
       if (last_number > 0) use(std::string_view(last), last_number);
       last.assign(line);
       last_number = lines.number();
@@ -202,16 +161,14 @@ class TextRecord : public RecordRows {
   /// How the first thousands of times are printed.
   PrintedDigits printed_digits() {
     PrintedDigits digits;
-    TextLines lines(file_);
+    TextLines lines(file_, layout_.begin);
     std::string_view line;
-    for (std::size_t count = 0; count < 5000 && lines.next(line);) {
-      if (lines.number() < layout_.first_line || !TextRow::counts(line)) continue;
+    for (std::size_t count = 0; count < 5000 && next_row(lines, line); ++count) {
       try {
         digits.add(row_.abscissa(line, lines.number()).text);
       } catch (const InputError&) {
         break;  // a last row may break off; any other is refused when its turn comes
       }
-      ++count;
     }
     return digits;
   }
@@ -288,7 +245,7 @@ class TextRecord : public RecordRows {
   const RecordFile& file_;
   TextLayout layout_;
   TextRow row_;
-  TextLines lines_;
+  std::optional<TextLines> lines_;
   RecordHeader header_;
   const TextColumn* abscissa_ = nullptr;
   RecordUnit abscissa_unit_{"s", 1, 0};
@@ -299,9 +256,12 @@ class TextRecord : public RecordRows {
 
 }  // namespace
 
-std::unique_ptr<RecordRows> read_text_record(const RecordFile& file, TextDialect dialect, const TextOptions& options,
-                                             const Sampling& sampling) {
-  return std::make_unique<TextRecord>(file, dialect, options, sampling);
+std::vector<std::unique_ptr<RecordRows>> read_text_records(const RecordFile& file, TextDialect dialect,
+                                                           const TextOptions& options, const Sampling& sampling) {
+  std::vector<std::unique_ptr<RecordRows>> records;
+  for (TextLayout& layout : text_layouts(file, dialect, options))
+    records.push_back(std::make_unique<TextRecord>(file, std::move(layout), sampling));
+  return records;
 }
 
 }  // namespace impulse

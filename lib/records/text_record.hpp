@@ -15,8 +15,8 @@ struct Sampling {
   std::optional<double> start;
 };
 
-/// Reads a text that holds a record (text_layout), in constant memory and twice over the file: once for its times, once
-/// for its rows.
+/// Reads a text that holds a record (text_layout), or several (segments of a LabVIEW measurement), in constant memory
+/// and twice over the file: once for its times, once for its rows.
 ///
 /// The time step is `sampling.step`, else that of the heading, else found from the time column (EvenTimeFit): from its
 /// digits as they are, then taking them for cut off, then for noise of a thousandth of a step, then for single
@@ -25,7 +25,8 @@ struct Sampling {
 /// the rows.
 /// @throws InputError at file:line:field for a row that isn't one, a time that does not increase, a heading that
 /// contradicts the times, no time at all, or bytes that are no text. Verified by: tests/lib/text_record.test.cpp
-[[nodiscard]] std::unique_ptr<RecordRows> read_text_record(const RecordFile& file, TextDialect dialect,
-                                                           const TextOptions& options, const Sampling& sampling);
+[[nodiscard]] std::vector<std::unique_ptr<RecordRows>> read_text_records(const RecordFile& file, TextDialect dialect,
+                                                                         const TextOptions& options,
+                                                                         const Sampling& sampling);
 
 }  // namespace impulse

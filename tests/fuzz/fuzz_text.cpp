@@ -4,8 +4,6 @@
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace impulse;
   return fuzz::convert(data, size, [](const RecordFile& file) {
-    std::vector<std::unique_ptr<RecordRows>> records;
-    records.push_back(read_text_record(file, TextDialect::any, {}, {}));
-    return records;
+    return read_text_records(file, TextDialect::any, {}, {});
   });
 }

@@ -15,7 +15,7 @@ namespace {
 Record read(const std::string& text, const TextOptions& options = {}, const Sampling& sampling = {}) {
   const test::TemporaryDirectory folder;
   const RecordFile file(folder.write("record", text));
-  return collect_record(*read_text_record(file, TextDialect::any, options, sampling));
+  return collect_record(*read_text_records(file, TextDialect::any, options, sampling).front());
 }
 
 std::string refusal(const std::string& text, const TextOptions& options = {}) {
