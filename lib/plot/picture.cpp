@@ -149,7 +149,7 @@ std::string gnuplot_script(const Picture& picture, PictureFormat format) {
   require_drawable(picture);
   std::string script = preamble(picture.frame, format);
   for (std::size_t i = 0; i < picture.curves.size(); ++i)
-    script += data_block(thinned(picture.curves[i], picture.frame.width_px), i);
+    script += data_block(thinned(picture.curves[i], picture.frame.width_px, picture.frame.x.range), i);
   if (format != PictureFormat::text)
     script +=
         "set rmargin 4\nset border 3 lc rgb '#404040'\nset tics nomirror\nset grid lt 1 lc rgb '#d8d8d8' lw 0.8\n"
