@@ -75,6 +75,30 @@ TEST_CASE("response_estimate: a rigid mass is 1/m at every sampling rate, to 1e-
   }
 }
 
+TEST_CASE("response_estimate: an exponential window leaves its mark on the uncertainty as little as on the response") {
+  std::vector<Blow> made;
+  for (const double gain : {1.0, 1.2}) {  // two blows whose velocities differ by a fifth
+    Blow blow{"blow", std::vector<double>(1000), {}};
+    for (std::size_t n = 40; n < 100; ++n) blow.force_N[n] = 100 * std::pow(0.8, static_cast<double>(n - 40));
+    blow.response = cumulative_integral(blow.force_N, step);
+    for (double& value : blow.response) value *= gain;
+    made.push_back(std::move(blow));
+  }
+  for (const std::optional<Bootstrap>& bootstrap : {std::optional<Bootstrap>(), std::optional(Bootstrap{400, 1})}) {
+    const EstimateOptions options{.regularisation = {Rule::none, 0},
+                                  .blow = {.force_window_s = 60 * step},
+                                  .exponential_s = 2e-3,
+                                  .bootstrap = bootstrap};
+    const MeasuredResponse found = estimated_response(made, step, options).measured;
+    const PairResponse uncertainty = found.standard_uncertainty();
+    // The mean of 1 and 1.2, half their difference uncertain, from the beginning to e^4 later; 400 resamples: to 4 %.
+    for (std::size_t n : {10u, 400u, 800u}) {
+      CHECK(found.response.pairs[0].impulse_response_per_kg[n] == doctest::Approx(1.1).epsilon(1e-9));
+      CHECK(uncertainty.impulse_response_per_kg[n] == doctest::Approx(0.1).epsilon(bootstrap ? 0.1 : 1e-6));
+    }
+  }
+}
+
 TEST_CASE("response_estimate: a rigid mass is 1/m to 1e-6 through windowed averages at every sampling rate") {
   for (double sample : {1e-7, 2e-6, 1.52588e-5, 1e-3}) {
     const PairResponse mass = mass_response(0.35, {sample, 2001}).pairs[0];
