@@ -97,6 +97,8 @@ class MatRecords {
     }
     std::vector<Record> records;
     for (auto& [length, columns] : by_length) add_record(columns, records);
+    if (by_length.empty())
+      throw InputError(file_, 0, 0, "no vector or matrix of numbers can be read (does the file break off?)");
     if (records.empty())
       throw InputError(file_, 0, 0,
                        fmt::format("no vector has times (there are: {}); give --step or --rate", names_of_vectors()));
