@@ -11,15 +11,6 @@ using namespace impulse;
 
 namespace {
 
-Bar rod(std::size_t cells, double step, double diameter, std::vector<Face> faces, FarEnd far_end = FarEnd::free) {
-  const Material steel = parse_material("steel");
-  return {{{static_cast<double>(cells) * step * steel.rod_wave_speed_m_per_s(), diameter, diameter, steel}},
-          std::move(faces),
-          far_end};
-}
-
-double impedance(const Bar& bar) { return face_impedance_kg_per_s(bar.profile, Face::a); }
-
 ContactsProblem problem_of(std::vector<double> speeds, const std::vector<ContactLaw>& laws) {
   ContactsProblem problem;
   problem.speed_m_per_s = std::move(speeds);
@@ -68,11 +59,11 @@ TEST_CASE("contact_scenes: rigid mass on a fixed-free rod: largest stress at the
     const auto cells = static_cast<std::size_t>(std::lround(2000 * std::max(0.5, ratio)));
     const UniformGrid grid{
         step, static_cast<std::size_t>(std::ceil(1.05 * std::max(end, 3.0) * static_cast<double>(cells))) + 1};
-    const Bar bar = rod(cells, step, 0.02, {Face::a, Face::b});
+    const Bar bar = bars::rod_of_cells(cells, step, 0.02, {Face::a, Face::b});
     const std::vector<Response> bodies{mass_response(mass_kg(bar.profile) / ratio, grid), wave_response(bar, grid),
                                        zero_response(grid, 1)};
     const ContactsSolution solution = solve_contacts(bodies, rigid_problem({1, 0, 0}, 2));
-    CHECK(largest(solution.traces[1].force_N) / impedance(bar) == doctest::Approx(peak).epsilon(1e-3));
+    CHECK(largest(solution.traces[1].force_N) / bars::impedance(bar) == doctest::Approx(peak).epsilon(1e-3));
     const ContactInterval struck = contact_intervals(solution.traces[0], grid).front();
     CHECK(struck.end_s / (static_cast<double>(cells) * step) == doctest::Approx(end).epsilon(1e-3));
   }
@@ -173,7 +164,7 @@ TEST_CASE(
   // and -V bear nothing, as those with -V.
   const UniformGrid grid = grid_over(60e-6, 1e-6);
   const Response endless = wave_response(bars::steel_rod(1, FarEnd::infinite), grid);
-  const double speed = 2, force = speed * impedance(bars::steel_rod(1, FarEnd::infinite)) / 2;
+  const double speed = 2, force = speed * bars::impedance(bars::steel_rod(1, FarEnd::infinite)) / 2;
   for (const std::size_t turned : {1u, 2u})
     for (const Recontact recontact : {Recontact::no, Recontact::yes}) {
       ContactsProblem problem = rigid_problem({0, 0}, 1);
@@ -191,7 +182,7 @@ TEST_CASE(
 TEST_CASE("contact_scenes: points that a rigid mass ties together are one contact: two rods are one of Z1 + Z2") {
   const UniformGrid grid = grid_over(400e-6, 0.5e-6);
   const Bar thin = bars::steel_rod(1, FarEnd::infinite, 0.01), thick = bars::steel_rod(1, FarEnd::infinite, 0.02);
-  const double z = impedance(thin) + impedance(thick), mass = 0.5, speed = 3;
+  const double z = bars::impedance(thin) + bars::impedance(thick), mass = 0.5, speed = 3;
   const Response rods = side_by_side(wave_response(thin, grid), wave_response(thick, grid));
   const ContactsSolution tied = solve_contacts({mass_at_two_points(mass, grid), rods}, rigid_problem({speed, 0}, 2));
   // The condensed response is U = t/(Z1 + Z2).
@@ -204,8 +195,8 @@ TEST_CASE("contact_scenes: points that a rigid mass ties together are one contac
     worst = std::max(worst, std::abs(sum - condensed.traces[0].force_N[n]));
     if (n > 0 && n + 1 < grid.size)
       worst_exact = std::max(worst_exact, std::abs(sum - speed * z * std::exp(-z * grid.time_s(n) / mass)));
-    CHECK(tied.traces[0].force_N[n] * impedance(thick) ==
-          doctest::Approx(tied.traces[1].force_N[n] * impedance(thin)).epsilon(1e-9));
+    CHECK(tied.traces[0].force_N[n] * bars::impedance(thick) ==
+          doctest::Approx(tied.traces[1].force_N[n] * bars::impedance(thin)).epsilon(1e-9));
   }
   CHECK(worst < 1e-9 * speed * z);
   CHECK(worst_exact < 1e-4 * speed * z);
@@ -215,8 +206,9 @@ TEST_CASE("contact_scenes: one point parts alone, and the other bears on") {
   // The short rod's echo releases it after 2L/c; from then on the mass is slowed by the long one only.
   const double step = 0.25e-6;
   const UniformGrid grid = grid_over(300e-6, step);
-  const Bar brief = rod(200, step, 0.02, {Face::a}), lasting = bars::steel_rod(1, FarEnd::infinite, 0.015);
-  const double z1 = impedance(brief), z2 = impedance(lasting), mass = 0.5, speed = 3, release = 400 * step;
+  const Bar brief = bars::rod_of_cells(200, step, 0.02, {Face::a}),
+            lasting = bars::steel_rod(1, FarEnd::infinite, 0.015);
+  const double z1 = bars::impedance(brief), z2 = bars::impedance(lasting), mass = 0.5, speed = 3, release = 400 * step;
   const Response rods = side_by_side(wave_response(brief, grid), wave_response(lasting, grid));
   const ContactsSolution solution =
       solve_contacts({mass_at_two_points(mass, grid), rods}, rigid_problem({speed, 0}, 2));
@@ -240,7 +232,7 @@ TEST_CASE("contact_scenes: one point parts alone, and the other bears on") {
 TEST_CASE("contact_scenes: a preloaded joint answers a passing wave, of either body, and opens when it pulls enough") {
   const UniformGrid grid = grid_over(400e-6, 0.25e-6);
   const Bar left = bars::steel_rod(1, FarEnd::infinite, 0.01), right = bars::steel_rod(1, FarEnd::infinite, 0.02);
-  const double z = 1 / (1 / impedance(left) + 1 / impedance(right));
+  const double z = 1 / (1 / bars::impedance(left) + 1 / bars::impedance(right));
   const auto approach = [](double t) { return 0.3 * std::sin(2e4 * t); };  // of the faces were there no contact
   const std::vector<Response> bodies{wave_response(left, grid), wave_response(right, grid)};
   for (double preload : {1.2 * 0.3 * z, 0.4 * 0.3 * z}) {
@@ -282,7 +274,7 @@ TEST_CASE("contact_scenes: a rod that bounces under gravity, closing within a st
   // Z(V + g t) for 2L/c, the impulse 2mV + 2mg L/c.
   const double g = 2000, cell = 1e-6 / 27;  // heavy gravity: it has to act within a test
   const std::size_t cells = 27 * 40;        // 40 µs a crossing at the coarsest step
-  const Bar bar = rod(cells, cell, 0.02, {Face::a});
+  const Bar bar = bars::rod_of_cells(cells, cell, 0.02, {Face::a});
   const double m = mass_kg(bar.profile), crossing = static_cast<double>(cells) * cell;
   // Contact at half a step of every level, because the levels differ by odd factors.
   const double arrival = 100.5e-6, speed = g * arrival, height = 0.5 * g * arrival * arrival;
@@ -305,7 +297,7 @@ TEST_CASE("contact_scenes: a rod that bounces under gravity, closing within a st
     CHECK(std::log(error[level] / error[level + 1]) / std::log(3) == doctest::Approx(1).epsilon(0.1));
     // The second bounce starts anywhere within a step; each closing may misplace what F does in half of one.
     const double step = 1e-6 / std::pow(3, level);
-    CHECK(std::abs(after_two[level] - after_two[level + 1]) < 2 * impedance(bar) * speed * step / 2);
+    CHECK(std::abs(after_two[level] - after_two[level + 1]) < 2 * bars::impedance(bar) * speed * step / 2);
   }
   CHECK(error[3] < 1e-4);
 }

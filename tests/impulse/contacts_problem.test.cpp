@@ -13,16 +13,6 @@ using namespace impulse;
 
 namespace {
 
-/// A steel rod that a wave crosses in `cells` steps.
-Bar rod(std::size_t cells, double step, double diameter, std::vector<Face> faces, FarEnd far_end = FarEnd::free) {
-  const Material steel = parse_material("steel");
-  return {{{static_cast<double>(cells) * step * steel.rod_wave_speed_m_per_s(), diameter, diameter, steel}},
-          std::move(faces),
-          far_end};
-}
-
-double impedance(const Bar& bar) { return face_impedance_kg_per_s(bar.profile, Face::a); }
-
 ContactsProblem rigid_problem(std::vector<double> speeds, std::size_t contacts) {
   ContactsProblem problem;
   problem.speed_m_per_s = std::move(speeds);
@@ -44,10 +34,12 @@ TEST_CASE(
     "contacts_problem: a chain of three rods against exact characteristics, separations and re-contacts included") {
   const double step = 1e-6;
   const UniformGrid grid = grid_over(800e-6, step);
-  const Bar a = rod(37, step, 0.02, {Face::a}), b = rod(23, step, 0.012, {Face::a, Face::b}),
-            c = rod(61, step, 0.03, {Face::a});
-  const auto exact = characteristics::simulate({{impedance(a), 37, 5}, {impedance(b), 23, 0}, {impedance(c), 61, 0}},
-                                               {-1, 0, 0, -1}, step, grid.size);
+  const Bar a = bars::rod_of_cells(37, step, 0.02, {Face::a}),
+            b = bars::rod_of_cells(23, step, 0.012, {Face::a, Face::b}),
+            c = bars::rod_of_cells(61, step, 0.03, {Face::a});
+  const auto exact =
+      characteristics::simulate({{bars::impedance(a), 37, 5}, {bars::impedance(b), 23, 0}, {bars::impedance(c), 61, 0}},
+                                {-1, 0, 0, -1}, step, grid.size);
   const ContactsSolution solution = solve_contacts(
       {wave_response(a, grid), wave_response(b, grid), wave_response(c, grid)}, rigid_problem({5, 0, 0}, 2));
   for (std::size_t contact : {0u, 1u}) {
@@ -69,7 +61,7 @@ TEST_CASE("contacts_problem: a rod bounces ten times between two walls and keeps
   // Crossing time 40 steps, contact 80 steps, flight 100 steps.
   const double step = 1e-6, speed = 2;
   const UniformGrid grid = grid_over(2500e-6, step);
-  const Bar body = rod(40, step, 0.02, {Face::a, Face::b});
+  const Bar body = bars::rod_of_cells(40, step, 0.02, {Face::a, Face::b});
   const double gap = 100 * step * speed;
   ContactsProblem problem = rigid_problem({0, speed, 0}, 2);
   problem.gaps_m = {gap, gap / 2};
@@ -95,7 +87,7 @@ TEST_CASE("contacts_problem: percussive drilling: a rectangular wave on a spring
   // rock is a spring on a wall.
   const double tau = 100e-6, wave_speed = 3;
   const Bar rod_bar = bars::steel_rod(1, FarEnd::infinite, 0.03);
-  const double z = impedance(rod_bar);
+  const double z = bars::impedance(rod_bar);
   const auto efficiency = [&](double x, double step) {
     const UniformGrid grid = grid_over(tau + 5 * step, step);
     ContactsProblem problem = rigid_problem({0, 0}, 1);
@@ -137,8 +129,8 @@ TEST_CASE("contacts_problem: rigid mass on a fixed-free rod, every mass ratio") 
     const std::size_t cells = static_cast<std::size_t>(std::lround(2000 * std::max(1.0, 4 * ratio)));
     const double crossing = static_cast<double>(cells) * step;
     const UniformGrid grid{step, static_cast<std::size_t>(std::ceil(1.05 * end * static_cast<double>(cells))) + 1};
-    const Bar bar = rod(cells, step, 0.02, {Face::a}, FarEnd::fixed);
-    const double z = impedance(bar);
+    const Bar bar = bars::rod_of_cells(cells, step, 0.02, {Face::a}, FarEnd::fixed);
+    const double z = bars::impedance(bar);
     const std::vector<Response> bodies{mass_response(mass_kg(bar.profile) / ratio, grid), wave_response(bar, grid)};
     const ContactTrace trace = solve_contacts(bodies, rigid_problem({1, 0}, 1)).traces[0];
     const ContactInterval first = contact_intervals(trace, grid).front();
@@ -151,7 +143,7 @@ TEST_CASE("contacts_problem: rigid mass on a fixed-free rod, every mass ratio") 
 TEST_CASE("contacts_problem: a stiff spring converges to the rigid interface, at the rate of its own time constant") {
   const UniformGrid grid = grid_over(150e-6, 0.1e-6);
   const std::vector<Response> bodies{wave_response(bars::steel_rod(0.5), grid), wave_response(bars::long_rod(), grid)};
-  const double plateau = impedance(bars::long_rod()) / 2;
+  const double plateau = bars::impedance(bars::long_rod()) / 2;
   std::vector<double> lost;
   for (double stiffness : {1e8, 2e8, 4e8, 8e8}) {
     ContactsProblem problem = rigid_problem({1, 0}, 1);
@@ -260,7 +252,7 @@ TEST_CASE("contacts_problem: momentum and energy of two free bodies") {
 
 TEST_CASE("contacts_problem: refuses bodies that do not fit") {
   const UniformGrid grid = grid_over(100e-6, 1e-6);
-  const Response two_faced = wave_response(rod(20, 1e-6, 0.02, {Face::a, Face::b}), grid);
+  const Response two_faced = wave_response(bars::rod_of_cells(20, 1e-6, 0.02, {Face::a, Face::b}), grid);
   const Response one_faced = wave_response(bars::steel_rod(0.2), grid);
   const auto solve = [](const std::vector<Response>& bodies, const ContactsProblem& problem) {
     static_cast<void>(solve_contacts(bodies, problem));

@@ -2,6 +2,10 @@
 
 #include "lib/material/profile.hpp"
 
+#include <cstddef>
+#include <utility>
+#include <vector>
+
 /// The bodies of the four published cases and some that have simple answers.
 namespace impulse::bars {
 
@@ -18,5 +22,17 @@ inline Bar long_rod() { return {{parse_segment("6150mm,10mm,steel")}, {Face::a},
 inline Bar steel_rod(double length_m, FarEnd far_end = FarEnd::free, double diameter_m = 0.010) {
   return {{{length_m, diameter_m, diameter_m, parse_material("steel")}}, {Face::a}, far_end};
 }
+
+/// A steel rod that a wave crosses in `cells` steps.
+inline Bar rod_of_cells(std::size_t cells, double step_s, double diameter_m, std::vector<Face> faces,
+                        FarEnd far_end = FarEnd::free) {
+  const Material steel = parse_material("steel");
+  return {{{static_cast<double>(cells) * step_s * steel.rod_wave_speed_m_per_s(), diameter_m, diameter_m, steel}},
+          std::move(faces),
+          far_end};
+}
+
+/// At end A [kg/s].
+inline double impedance(const Bar& bar) { return face_impedance_kg_per_s(bar.profile, Face::a); }
 
 }  // namespace impulse::bars
