@@ -44,10 +44,7 @@ double orthonormalise(const Sparse& mass, const MatrixXd& columns, MatrixXd& wei
 
 /// VᵀKV, symmetric to the last bit.
 MatrixXd projected(const Sparse& stiffness, const MatrixXd& vectors) {
-  // Row by row, so that an element of K meets all vectors at once.
-  const Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor> rows = vectors;
-  const Eigen::SparseMatrix<double, Eigen::RowMajor> by_rows = stiffness;
-  const MatrixXd product = by_rows * rows;
+  const MatrixXd product = stiffness * vectors;
   MatrixXd reduced = MatrixXd::Zero(vectors.cols(), vectors.cols());
   add_transposed_product(vectors, product, reduced);
   return (reduced + reduced.transpose()) / 2;
