@@ -34,7 +34,7 @@ struct StepMatrix {
 ///
 /// Iteration ends when the next correction, as the slowest rate of the last iterations foretells it, is below the
 /// tolerance; linear equations take one solution.
-/// Verified by: tests/fem/newmark.test.cpp, tests/fem/implicit_impact.test.cpp
+/// Verified by: tests/fem/step_equilibrium.test.cpp, tests/fem/implicit_impact.test.cpp
 class StepEquilibrium {
  public:
   /// `load`: a vector whose response A⁻¹load goes with every factorisation; may be empty.

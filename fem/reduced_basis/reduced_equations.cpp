@@ -108,10 +108,9 @@ class Tensors : public ReducedLinear {
     const Index n = model_.energy.size(), others = q.size() - n;
     const VectorXd z = q.head(n);
     const MatrixXd pairs = pair_derivatives(z);
-    MatrixXd tangent = beside_;
+    MatrixXd tangent = beside_;  // its lower triangle, which LDLᵀ reads
     tangent.topLeftCorner(n, n) += model_.energy.tangent(z);
     tangent.bottomLeftCorner(others, n) += model_.companion * pairs;
-    tangent.topRightCorner(n, others) += (model_.companion * pairs).transpose();
     const VectorXd g = companion_transposed_ * q.tail(others);
     for (Index c = 0, at = 0; c < n; ++c)
       for (Index r = 0; r <= c; ++r, ++at) {

@@ -202,6 +202,13 @@ TEST_CASE("an updated Ritz basis grows, carries the motion on and comes nearer t
   options.update_s = {1e-4, 2e-4};
   const PanelImpact updated = panel.run(2e-6, 3e-4, options);
   CHECK(updated.update_count() == 2);
+  // Counts go on through updates: 150 steps, and a matrix for each basis.
+  CHECK(updated.impact().iteration_count() >= 150);
+  CHECK(updated.impact().factorisation_count() == 3);
+  // The whole panel's displacement is the basis' one; Ritz vectors leave nothing out at the contact.
+  for (const PanelImpact* run : {&plain, &updated})
+    CHECK(apart(panel.body.contacts.col(0).dot(run->displacement()), run->impact().trace().displacement_2_m.back()) <=
+          1e-6);
   CHECK(updated.unknowns() > plain.unknowns() + 20);
   const auto error = [&](const PanelImpact& run) {
     return (run.displacement() - whole.displacement()).norm() / whole.displacement().norm();
