@@ -2,11 +2,10 @@
 #include "lib/cli/run_tool.hpp"
 #include "lib/contract/errors.hpp"
 #include "lib/csv/csv_output.hpp"
+#include "lib/numerics/sparse_cholesky.hpp"
 #include "tools/support/shell_body.hpp"
 
 #include <fmt/format.h>
-
-#include <Eigen/SparseCholesky>
 
 #include <optional>
 #include <string>
@@ -113,12 +112,10 @@ class LoadDeflection {
 /// Newton's method would only be said to fail.
 PathPoint linear_answer(const Shell& shell, const VectorXd& load) {
   const Eigen::SparseMatrix<double> stiffness = shell.tangent(VectorXd::Zero(shell.size()));
-  const Eigen::SimplicialLLT<Eigen::SparseMatrix<double>> factor(stiffness);
-  const VectorXd z = factor.info() == Eigen::Success ? VectorXd(factor.solve(load)) : VectorXd::Zero(load.size());
-  // A singular stiffness may pass for definite by rounding, but has no solution.
-  if (!((stiffness * z - load).norm() <= 1e-6 * load.norm()))
-    throw UsageError("--edges", "the supports leave the panel free to move as a rigid body");
-  return {1, z, 1};
+  const std::optional<SparseCholesky> factor = SparseCholesky::of(stiffness);
+  const std::optional<VectorXd> z = factor ? answer_of_held(*factor, stiffness, load) : std::nullopt;
+  if (!z) throw UsageError("--edges", "the supports leave the panel free to move as a rigid body");
+  return {1, *z, 1};
 }
 
 /// One step; false at the end of the path.

@@ -48,10 +48,8 @@ PanelImpact::PanelImpact(const Shell& shell, const Structure& body, const Contac
   require_updates(options, setup.step_s);
   Stopwatch watch;
   static_factor_ = SparseCholesky::of(body.stiffness);
-  const VectorXd load = body.contacts.col(0);
-  const bool held =
-      static_factor_ && (body.stiffness * static_factor_->solve(load) - load).norm() <= 1e-6 * load.norm();
-  require(held, "the panel can move as a rigid body; hold it at its edges");
+  require(static_factor_ && answer_of_held(*static_factor_, body.stiffness, body.contacts.col(0)),
+          "the panel can move as a rigid body; hold it at its edges");
   set_up_.factorisation_s = watch.lap_s();
   reduce();
   (void)watch.lap_s();

@@ -39,6 +39,12 @@ Eigen::MatrixXd SparseCholesky::solve(const Eigen::MatrixXd& b) const {
   return factor_->llt.solve(b);
 }
 
+std::optional<Eigen::VectorXd> answer_of_held(const SparseCholesky& factor, const Sparse& a, const Eigen::VectorXd& b) {
+  Eigen::VectorXd x = factor.solve(b);
+  if (!((a * x - b).norm() <= 1e-6 * b.norm())) return std::nullopt;
+  return x;
+}
+
 LinearSolver symmetric_solver(const Sparse& a) {
   if (auto definite = SparseCholesky::of(a)) {
     const auto factor = std::make_shared<SparseCholesky>(std::move(*definite));

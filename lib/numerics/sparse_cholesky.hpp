@@ -32,6 +32,12 @@ class SparseCholesky {
   std::unique_ptr<Factor> factor_;
 };
 
+/// A⁻¹b, if it solves Ax = b to 10⁻⁶ of b: a stiffness that leaves a rigid motion free may factorise by rounding, but
+/// has no answer to a load that works in that motion. Verified by: tests/lib/sparse_cholesky.test.cpp
+[[nodiscard]] std::optional<Eigen::VectorXd> answer_of_held(const SparseCholesky& factor,
+                                                            const Eigen::SparseMatrix<double>& a,
+                                                            const Eigen::VectorXd& b);
+
 using LinearSolver = std::function<Eigen::VectorXd(const Eigen::VectorXd&)>;
 
 /// b → A⁻¹b for a symmetric A, factorised once: SparseCholesky, or LDLᵀ without pivoting where A is indefinite, as a
