@@ -30,7 +30,9 @@ void require_free(const ExplicitBody& body, std::size_t index, const std::vector
   if (body.speed_m_per_s == 0) return;
   const std::optional<Eigen::VectorXd> translation = rigid_translation(body.structure);
   require(translation.has_value(),
-          "the {} is held (moving it without strain is not possible); use a far end that is free or infinite", name);
+          "the {} is held (moving it without strain is not possible); a body with speed needs a free or infinite far "
+          "end, or free edges",
+          name);
   const double along = index == 0 ? -1 : 1;
   for (const RowJoint& joint : all) {
     const auto moves = [&](Eigen::Index contact, double expected) {

@@ -260,7 +260,8 @@ TEST_CASE("explicit_contact: a contact that cannot be computed is refused, with 
   contact = good;
   contact.speed_2_m_per_s = -1;
   refused(cone, by_step(bars::steel_rod(6, FarEnd::fixed), 10e-6), contact,
-          "the target is held (moving it without strain is not possible); use a far end that is free or infinite");
+          "the target is held (moving it without strain is not possible); a body with speed needs a free or infinite "
+          "far end, or free edges");
   contact = good;
   contact.law = ContactLaw::table({.indentation_m = {0, 1e-6}, .loading_force_N = {0, 100}, .unloading_force_N = {}});
   refused(cone, rod, contact,

@@ -218,7 +218,8 @@ TEST_CASE("an impact that cannot be computed is refused, with a way out") {
           "the projectile has 2 contacts; explicit_contact takes one, explicit_contacts more");
   const Bar held{bars::cone().profile, {Face::a}, FarEnd::fixed};
   refused(by_step(held, 10e-6), rod, good,
-          "the projectile is held (moving it without strain is not possible); use a far end that is free or infinite");
+          "the projectile is held (moving it without strain is not possible); a body with speed needs a free or "
+          "infinite far end, or free edges");
 }
 
 }  // namespace

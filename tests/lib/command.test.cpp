@@ -1,4 +1,5 @@
 #include "lib/cli/command.hpp"
+#include "lib/cli/blamed_on.hpp"
 #include "lib/cli/config_toml.hpp"
 #include "lib/contract/errors.hpp"
 #include "lib/material/material.hpp"
@@ -225,6 +226,13 @@ TEST_CASE("command: every kind of option is read from TOML, and the command line
   CHECK(p.values.faces == std::vector<Face>{Face::a, Face::b});
   CHECK(p.values.segments.size() == 2);
   CHECK(p.command.given("--gap"));
+}
+
+TEST_CASE("blamed_on: what a function refuses becomes the refusal of a flag, anything else goes on") {
+  CHECK(blamed_on("--growth", [] { return 3; }) == 3);
+  CHECK_THROWS_WITH_AS(blamed_on("--growth", []() -> int { throw std::invalid_argument("growth 0.9 is below 1"); }),
+                       "--growth: growth 0.9 is below 1", UsageError);
+  CHECK_THROWS_AS(blamed_on("--growth", []() -> int { throw ConvergenceError("no"); }), ConvergenceError);
 }
 
 TEST_CASE("command: refusals of TOML name file, line, column and key") {
