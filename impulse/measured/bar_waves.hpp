@@ -82,7 +82,7 @@ struct EndWaves {
 /// P arriving at and N leaving the end, over as many passages m between the gauges as the record has time for: the
 /// quotients by 1 - e^(-2ik(D-d)) of a bar at rest before, without the frequencies at which that vanishes.
 /// Error: some 1e-10 of the strain a passage, but for N in the last d/c of the record, which gauge d has not seen yet.
-/// Noise of the gauges adds up over the passages: after n of them its power is 2n + 2 times that of a gauge, so gauges
+/// Noise of the gauges adds up over the passages: after n of them its power is 2n + 1 to 2n + 2 times that of a gauge, so gauges
 /// stand as far apart as the bar allows. Cost: four transforms of four times the length.
 /// @throws std::invalid_argument for equal distances or grids that differ. Verified by:
 /// tests/impulse/bar_waves.test.cpp

@@ -8,9 +8,13 @@
 namespace impulse {
 
 std::size_t contact_end_index(const std::vector<double>& force_N) {
+  // Equal rods are left touching without a force; what rounding makes of it, some 10⁻¹³ of the largest, is none.
+  constexpr double rounding = 1e-11;
   std::size_t run = 0;
+  double largest = 0;
   for (std::size_t k = 0; k < force_N.size(); ++k) {
-    run = force_N[k] <= 0 ? run + 1 : 0;
+    largest = std::max(largest, force_N[k]);
+    run = force_N[k] <= rounding * largest ? run + 1 : 0;
     if (run == 3) return k - 2;
   }
   return force_N.size();

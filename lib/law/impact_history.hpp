@@ -35,8 +35,9 @@ struct ImpactSummary {
   double energy_error = 0;
 };
 
-/// Finds the end of contact in a force record: the first of three successive samples with F ≤ 0 ends it, because a wave
-/// front that falls between samples spoils at most two. Returns the index of the first of the three, or force.size().
+/// Finds the end of contact in a force record: the first of three successive samples with F ≤ 0 (or ≤ 10⁻¹¹ of the
+/// largest before, which is rounding) ends it, because a wave front that falls between samples spoils at most two.
+/// Returns the index of the first of the three, or force.size().
 [[nodiscard]] std::size_t contact_end_index(const std::vector<double>& force_N);
 
 /// Time of the linear zero between samples end-1 and end (end = contact_end_index; the record's end if it is the size).

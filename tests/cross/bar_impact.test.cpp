@@ -8,6 +8,7 @@
 #include "impulse/response/modal_response.hpp"
 #include "impulse/response/wave_response.hpp"
 #include "lib/series/series_comparison.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/bars.hpp"
 
 #include <doctest/doctest.h>
@@ -75,7 +76,7 @@ TEST_CASE("cross: explicit finite elements at Courant number 1 within 0.5 % of t
     // Steps of 0.05 µs: travel times are whole numbers of steps to 2e-3 and better.
     const ImpactHistory elements = by_elements(c, 0.05e-6, 1).history;
     CHECK(difference(elements, by_waves(c, 0.05e-6), jump_times(c), 3) < 0.005);
-    CHECK(impulse_Ns(elements) == doctest::Approx(impulse_Ns(by_waves(c, 0.05e-6))).epsilon(1e-4));
+    CHECK(impulse_Ns(elements) == about(impulse_Ns(by_waves(c, 0.05e-6))).epsilon(1e-4));
   }
 }
 
@@ -110,7 +111,7 @@ TEST_CASE("cross: momentum of the elements is the impulse to rounding") {
     const ExplicitImpactResult result = by_elements(c, 1e-6, 2);
     const double impulse = impulse_Ns(result.history);
     const double mass = mass_kg(c.projectile.profile);
-    CHECK(result.target.momentum_Ns == doctest::Approx(impulse).epsilon(1e-12));
+    CHECK(result.target.momentum_Ns == about(impulse).epsilon(1e-12));
     CHECK(std::abs(mass * c.speed - result.projectile.momentum_Ns - impulse) < 1e-12 * mass * c.speed);
   }
 }
@@ -166,7 +167,7 @@ TEST_CASE("cross: modes of finite elements approach the exact ones, corrected on
     const ModalModel corrected = dispersion_corrected(plain, bar, mesh, 1e9);
     const double error = std::abs(plain.angular_frequency(11) / exact.angular_frequency(11) - 1);
     const double rest = std::abs(corrected.angular_frequency(11) / exact.angular_frequency(11) - 1);
-    if (before > 0) CHECK(std::log2(before / error) == doctest::Approx(2).epsilon(0.05));
+    if (before > 0) CHECK(std::log2(before / error) == about(2).epsilon(0.05));
     CHECK(rest < 0.1 * error);
     before = error;
   }

@@ -11,6 +11,7 @@
 #include "impulse/response/wave_response.hpp"
 #include "lib/law/hertz.hpp"
 #include "lib/law/impact_history.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/beams.hpp"
 
 #include <doctest/doctest.h>
@@ -89,14 +90,14 @@ TEST_CASE("cross: Timoshenko's sphere on a beam, by impulse responses and by exp
     const Answer one = answer(grid, by_modes.traces[0]), two = answer(grid, by_elements.trace);
     // Exact modal propagation, computed independently, all digits converged; one contact.
     for (const Answer& a : {one, two}) {
-      CHECK(a.peak_N == doctest::Approx(4.9771).epsilon(5e-5));
-      CHECK(a.peak_time_s == doctest::Approx(72.56e-6).epsilon(2e-3));
-      CHECK(a.deflection_m == doctest::Approx(1.12476e-6).epsilon(5e-5));
-      CHECK(a.deflection_time_s == doctest::Approx(323.7e-6).epsilon(1e-3));
+      CHECK(a.peak_N == about(4.9771).epsilon(5e-5));
+      CHECK(a.peak_time_s == about(72.56e-6).epsilon(2e-3));
+      CHECK(a.deflection_m == about(1.12476e-6).epsilon(5e-5));
+      CHECK(a.deflection_time_s == about(323.7e-6).epsilon(1e-3));
     }
     CHECK(contact_intervals(by_modes.traces[0], grid).size() == 1);
-    CHECK(contact_intervals(by_modes.traces[0], grid)[0].end_s == doctest::Approx(156.40e-6).epsilon(1e-4));
-    CHECK(contact_intervals(by_elements.trace, grid)[0].end_s == doctest::Approx(156.40e-6).epsilon(1e-4));
+    CHECK(contact_intervals(by_modes.traces[0], grid)[0].end_s == about(156.40e-6).epsilon(1e-4));
+    CHECK(contact_intervals(by_elements.trace, grid)[0].end_s == about(156.40e-6).epsilon(1e-4));
     CHECK(largest_difference(one, two) < 2e-5);
   }
 }
@@ -156,8 +157,8 @@ TEST_CASE(
     // Three contacts in the first 80 µs, of which the middle one grazes.
     CHECK(contact_intervals(by_modes, grid).size() >= 3);
     CHECK(contact_intervals(by_elements, grid).size() >= 3);
-    CHECK(one.impulse_Ns == doctest::Approx(two.impulse_Ns).epsilon(0.02));
-    CHECK(one.deflection_m == doctest::Approx(two.deflection_m).epsilon(0.02));
+    CHECK(one.impulse_Ns == about(two.impulse_Ns).epsilon(0.02));
+    CHECK(one.deflection_m == about(two.deflection_m).epsilon(0.02));
     CHECK(one.peak_N < first_force);
     CHECK(two.peak_N < first_force);
     peaks_apart.push_back(std::abs(one.peak_N - two.peak_N) / first_force);
@@ -187,8 +188,8 @@ TEST_CASE("cross: the same with exact modes, whose residual flexibility is a spr
     const Answer one = answer(grid, spring), two = answer(grid, rigid);
     CHECK(contact_intervals(spring, grid).size() <= 8);  // 21 and more if the spring's force alternates
     CHECK(one.peak_N < first_force * (1 + 1e-9));
-    CHECK(one.impulse_Ns == doctest::Approx(two.impulse_Ns).epsilon(0.01));
-    CHECK(one.deflection_m == doctest::Approx(two.deflection_m).epsilon(0.01));
+    CHECK(one.impulse_Ns == about(two.impulse_Ns).epsilon(0.01));
+    CHECK(one.deflection_m == about(two.deflection_m).epsilon(0.01));
   }
 }
 

@@ -11,6 +11,7 @@
 #include "impulse/response/modal_response.hpp"
 #include "impulse/response/wave_response.hpp"
 #include "lib/series/series_comparison.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/bars.hpp"
 
 #include <doctest/doctest.h>
@@ -74,9 +75,9 @@ TEST_CASE("cross: the cone of case TCB touches the rod again, by waves and by el
       CHECK(std::abs(found[0].end_s - 512.7e-6) <= 1.1e-6 * step_us);
       CHECK(std::abs(found[1].start_s - 597.0e-6) <= 2.1e-6 * step_us);
       CHECK(std::abs(found[1].end_s - 1025.2e-6) <= 1.5e-6 * step_us);
-      CHECK(found[0].impulse_Ns == doctest::Approx(0.8246).epsilon(1e-3 * step_us));
-      CHECK(found[1].impulse_Ns == doctest::Approx(0.1369).epsilon(5e-3 * step_us));
-      CHECK(found[1].peak_force_N == doctest::Approx(407).epsilon(0.005 + 0.008 * step_us));
+      CHECK(found[0].impulse_Ns == about(0.8246).epsilon(1e-3 * step_us));
+      CHECK(found[1].impulse_Ns == about(0.1369).epsilon(5e-3 * step_us));
+      CHECK(found[1].peak_force_N == about(407).epsilon(0.005 + 0.008 * step_us));
     }
   }
   CHECK(impulses_apart.back() <= 0.5 * impulses_apart.front());

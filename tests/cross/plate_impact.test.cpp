@@ -10,6 +10,7 @@
 #include "impulse/response/modal_response.hpp"
 #include "impulse/response/wave_response.hpp"
 #include "lib/law/hertz.hpp"
+#include "tests/support/about.hpp"
 
 #include <doctest/doctest.h>
 
@@ -83,12 +84,12 @@ TEST_CASE("cross: a sphere on the 20-ply panel, law of Tan and Sun, both methods
                                     by_explicit_steps(mass_structure(sphere_mass), panel(), law, grid)}) {
     const auto intervals = contact_intervals(trace, grid);
     REQUIRE(intervals.size() == 2);
-    CHECK(intervals[0].peak_force_N == doctest::Approx(313.4).epsilon(0.003));
-    CHECK(intervals[0].peak_time_s == doctest::Approx(29.1e-6).epsilon(0.01));
-    CHECK(intervals[0].end_s == doctest::Approx(228.8e-6).epsilon(0.003));
-    CHECK(intervals[1].start_s == doctest::Approx(664.9e-6).epsilon(0.003));
-    CHECK(intervals[1].end_s == doctest::Approx(731.4e-6).epsilon(0.003));
-    CHECK(largest(trace.displacement_2_m) / thickness == doctest::Approx(0.1433).epsilon(0.003));
+    CHECK(intervals[0].peak_force_N == about(313.4).epsilon(0.003));
+    CHECK(intervals[0].peak_time_s == about(29.1e-6).epsilon(0.01));
+    CHECK(intervals[0].end_s == about(228.8e-6).epsilon(0.003));
+    CHECK(intervals[1].start_s == about(664.9e-6).epsilon(0.003));
+    CHECK(intervals[1].end_s == about(731.4e-6).epsilon(0.003));
+    CHECK(largest(trace.displacement_2_m) / thickness == about(0.1433).epsilon(0.003));
   }
 }
 
@@ -100,13 +101,13 @@ TEST_CASE("cross: a sphere on a square cross-ply plate, Hertz' law with the ply'
                                     by_explicit_steps(mass_structure(sphere_mass), plate, law, grid)}) {
     const auto intervals = contact_intervals(trace, grid);
     REQUIRE(intervals.size() >= 2);
-    CHECK(intervals[0].peak_force_N == doctest::Approx(309.8).epsilon(0.005));
-    CHECK(intervals[0].peak_time_s == doctest::Approx(38.8e-6).epsilon(0.01));
-    CHECK(intervals[0].end_s == doctest::Approx(214.4e-6).epsilon(0.005));
-    CHECK(intervals[1].start_s == doctest::Approx(332.0e-6).epsilon(0.005));
-    CHECK(intervals[1].end_s == doctest::Approx(401.9e-6).epsilon(0.005));
-    CHECK(intervals[1].peak_force_N == doctest::Approx(86.7).epsilon(0.01));
-    CHECK(largest(trace.displacement_2_m) == doctest::Approx(427.4e-6).epsilon(0.005));
+    CHECK(intervals[0].peak_force_N == about(309.8).epsilon(0.005));
+    CHECK(intervals[0].peak_time_s == about(38.8e-6).epsilon(0.01));
+    CHECK(intervals[0].end_s == about(214.4e-6).epsilon(0.005));
+    CHECK(intervals[1].start_s == about(332.0e-6).epsilon(0.005));
+    CHECK(intervals[1].end_s == about(401.9e-6).epsilon(0.005));
+    CHECK(intervals[1].peak_force_N == about(86.7).epsilon(0.01));
+    CHECK(largest(trace.displacement_2_m) == about(427.4e-6).epsilon(0.005));
   }
 }
 

@@ -1,6 +1,7 @@
 #include "fem/bodies/axisymmetric_solid.hpp"
 
 #include "lib/model/modal_model.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/section_mesh.hpp"
 
 #include <doctest/doctest.h>
@@ -53,7 +54,7 @@ TEST_CASE("mass and one rigid motion: along the axis") {
     CHECK(modes.angular_frequency(0) == 0);
     CHECK(modes.angular_frequency(1) > 0);
     const double weight = 7780 * pi * 0.1 * 0.1 * 0.08;
-    CHECK(std::pow(modes.participation(0, 0), -2) == doctest::Approx(weight).epsilon(1e-12));
+    CHECK(std::pow(modes.participation(0, 0), -2) == about(weight).epsilon(1e-12));
   }
 }
 
@@ -65,9 +66,9 @@ TEST_CASE("contacts count into the body, do unit work, and know the first answer
       const SolidStructure body = axisymmetric_structure(solid);
       Eigen::VectorXd shift = Eigen::VectorXd::Zero(body.structure.mass.rows());
       for (Eigen::Index node = 0; node < solid.mesh.node_count(); ++node) shift(body.freedoms(node, 1)) = 1;
-      CHECK(body.structure.contacts.col(0).dot(shift) == doctest::Approx(face == Face::a ? 1 : -1).epsilon(1e-14));
+      CHECK(body.structure.contacts.col(0).dot(shift) == about(face == Face::a ? 1 : -1).epsilon(1e-14));
       CHECK(body.structure.wave_admittance(0, 0) ==
-            doctest::Approx(1 / (7780 * steel.axial_wave_speed_m_per_s() * pi * 0.05 * 0.05)).epsilon(1e-14));
+            about(1 / (7780 * steel.axial_wave_speed_m_per_s() * pi * 0.05 * 0.05)).epsilon(1e-14));
       CHECK(body.contact_nodes.size() == 5);
     }
   const SolidStructure nodes = axisymmetric_structure(disc(CircleContact::nodes));
@@ -87,7 +88,7 @@ TEST_CASE("a punch is the limit of the nodes it ties: its flexibility is that of
   const Structure punch = axisymmetric_structure(solid).structure;
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> tied(punch.stiffness);
   const double flexibility = punch.contacts.col(0).dot(Eigen::VectorXd(tied.solve(punch.contacts.col(0))));
-  CHECK(flexibility == doctest::Approx(condensed).epsilon(1e-10));
+  CHECK(flexibility == about(condensed).epsilon(1e-10));
   solid.contacts[0].kind = CircleContact::pressure;
   const Structure pressure = axisymmetric_structure(solid).structure;
   const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> spread(pressure.stiffness);
@@ -139,7 +140,7 @@ TEST_CASE("FV41: frequencies converge with order 4") {
   for (std::size_t i = 0; i + 1 < levels.size(); ++i) {
     const double slope =
         std::log((frequency[i] - limit) / (frequency[i + 1] - limit)) / std::log(double(levels[i + 1]) / levels[i]);
-    CHECK(slope == doctest::Approx(4).epsilon(0.1 / 4));
+    CHECK(slope == about(4).epsilon(0.1 / 4));
   }
   CHECK(frequency[3] / limit - 1 > 1e-10);  // far above the rounding of a frequency, 1e-13
 }

@@ -1,4 +1,5 @@
 #include "fem/elements/axisymmetric_triangle.hpp"
+#include "tests/support/about.hpp"
 
 #include <doctest/doctest.h>
 
@@ -57,7 +58,7 @@ TEST_CASE("the energy of any homogeneous strain is exact, wherever the element l
     for (const TriangleNodes& nodes : elements) {
       const TriangleVector u = field(nodes, [](double r, double z) { return std::array{0.3 * r, -0.7 * z + 0.5 * r}; });
       const double energy = 0.5 * u.dot(axisymmetric_triangle_stiffness(nodes, material) * u);
-      CHECK(energy == doctest::Approx(0.5 * strain.dot(material.stiffness * strain) * volume(nodes)).epsilon(1e-13));
+      CHECK(energy == about(0.5 * strain.dot(material.stiffness * strain) * volume(nodes)).epsilon(1e-13));
     }
 }
 
@@ -65,15 +66,14 @@ TEST_CASE("the mass matrix integrates products of quadratic displacements exactl
   for (const TriangleNodes& nodes : elements) {
     const TriangleMatrix m = axisymmetric_triangle_consistent_mass(nodes, 7780);
     const TriangleVector ones = field(nodes, [](double, double) { return std::array{0.0, 1.0}; });
-    CHECK(ones.dot(m * ones) == doctest::Approx(7780 * volume(nodes)).epsilon(1e-14));
+    CHECK(ones.dot(m * ones) == about(7780 * volume(nodes)).epsilon(1e-14));
     CHECK(m == m.transpose());
     CHECK(m(0, 1) == 0);
   }
   // ∫ r⁴ 2πr dA over the triangle (0,0) (1,0) (0,1): 2π ∫ r⁵ (1-r) dr = 2π/42.
   const TriangleNodes unit = straight(0, 0, 1, 0, 0, 1);
   const TriangleVector square = field(unit, [](double r, double) { return std::array{r * r, 0.0}; });
-  CHECK(square.dot(axisymmetric_triangle_consistent_mass(unit, 1) * square) ==
-        doctest::Approx(2 * pi / 42).epsilon(1e-14));
+  CHECK(square.dot(axisymmetric_triangle_consistent_mass(unit, 1) * square) == about(2 * pi / 42).epsilon(1e-14));
 }
 
 TEST_CASE("the lumped mass is positive and adds up to the ring's mass in each direction") {
@@ -83,7 +83,7 @@ TEST_CASE("the lumped mass is positive and adds up to the ring's mass in each di
     for (Eigen::Index direction = 0; direction < 2; ++direction) {
       double sum = 0;
       for (Eigen::Index i = 0; i < 6; ++i) sum += m(2 * i + direction);
-      CHECK(sum == doctest::Approx(7780 * volume(nodes)).epsilon(1e-14));
+      CHECK(sum == about(7780 * volume(nodes)).epsilon(1e-14));
     }
   }
 }
@@ -127,13 +127,13 @@ TEST_CASE(
     "a uniform pressure on a disc: loads add up to it, none at the axis, and they do the work of a linear field") {
   const double a = 2.5;
   const Eigen::Vector3d load = axisymmetric_side_load(0, a);
-  CHECK(load.sum() == doctest::Approx(pi * a * a).epsilon(1e-15));
+  CHECK(load.sum() == about(pi * a * a).epsilon(1e-15));
   CHECK(load(0) == 0);
   const Eigen::Vector3d outer = axisymmetric_side_load(a, 3.1);
-  CHECK(outer.sum() == doctest::Approx(pi * (3.1 * 3.1 - a * a)).epsilon(1e-14));
+  CHECK(outer.sum() == about(pi * (3.1 * 3.1 - a * a)).epsilon(1e-14));
   // ∫ r 2πr dr
   CHECK(outer.dot(Eigen::Vector3d(a, 3.1, (a + 3.1) / 2)) ==
-        doctest::Approx(2 * pi / 3 * (std::pow(3.1, 3) - std::pow(a, 3))).epsilon(1e-14));
+        about(2 * pi / 3 * (std::pow(3.1, 3) - std::pow(a, 3))).epsilon(1e-14));
 }
 
 TEST_CASE("tangled triangles are refused") {

@@ -1,4 +1,5 @@
 #include "fem/elements/bar_element.hpp"
+#include "tests/support/about.hpp"
 
 #include <doctest/doctest.h>
 
@@ -31,7 +32,7 @@ TEST_CASE("the stiffness of a cone element is the exact static one: the integral
     flexibility += weight * cone.length_m / (3.0 * n) / (cone.material.youngs_modulus_Pa * area(cone, i / double(n)));
   }
   const Eigen::Matrix2d k = bar_element_stiffness(cone);
-  CHECK(k(0, 0) * flexibility == doctest::Approx(1).epsilon(1e-11));
+  CHECK(k(0, 0) * flexibility == about(1).epsilon(1e-11));
   CHECK(k(0, 1) == -k(0, 0));
   CHECK(k(1, 0) == k(0, 1));
   CHECK(k(1, 1) == k(0, 0));
@@ -45,7 +46,7 @@ TEST_CASE("two cone elements in series are one: the interpolation contains the s
   back.length_m = 0.75 * cone.length_m;
   back.diameter_a_m = front.diameter_b_m;
   const double series = 1 / bar_element_stiffness(front)(0, 0) + 1 / bar_element_stiffness(back)(0, 0);
-  CHECK(series * bar_element_stiffness(cone)(0, 0) == doctest::Approx(1).epsilon(1e-15));
+  CHECK(series * bar_element_stiffness(cone)(0, 0) == about(1).epsilon(1e-15));
 }
 
 TEST_CASE("the consistent mass is the integral of the interpolation") {
@@ -56,14 +57,14 @@ TEST_CASE("the consistent mass is the integral of the interpolation") {
       double integral = 0;
       for (const auto& [s, weight] : {std::pair{0.0, 1.0}, {0.5, 4.0}, {1.0, 1.0}})
         integral += weight / 6 * cone.length_m * 1150 * area(cone, s) * shape(cone, i, s) * shape(cone, j, s);
-      CHECK(mass(i, j) == doctest::Approx(integral).epsilon(1e-14));
+      CHECK(mass(i, j) == about(integral).epsilon(1e-14));
     }
 }
 
 TEST_CASE("both mass matrices weigh what the frustum weighs, and the lumped one is the row sum") {
   for (const Segment& element : {cone, cylinder}) {
-    CHECK(bar_element_consistent_mass(element).sum() == doctest::Approx(element.mass_kg()).epsilon(1e-15));
-    CHECK(bar_element_lumped_mass(element).sum() == doctest::Approx(element.mass_kg()).epsilon(1e-15));
+    CHECK(bar_element_consistent_mass(element).sum() == about(element.mass_kg()).epsilon(1e-15));
+    CHECK(bar_element_lumped_mass(element).sum() == about(element.mass_kg()).epsilon(1e-15));
     const Eigen::Vector2d rows = bar_element_consistent_mass(element).rowwise().sum();
     CHECK((bar_element_lumped_mass(element) - rows).norm() <= 1e-15 * rows.norm());
   }
@@ -78,12 +79,12 @@ TEST_CASE("a rigid translation bears no force, and the reversed element is the m
 
 TEST_CASE("the fastest frequency of an element is 2c/h for a cylinder and grows with the square of the taper") {
   const double limit = 2 * std::sqrt(206e9 / 7780.0) / 0.5;
-  CHECK(bar_element_highest_frequency(cylinder) == doctest::Approx(limit).epsilon(1e-15));
+  CHECK(bar_element_highest_frequency(cylinder) == about(limit).epsilon(1e-15));
   for (const double taper : {0.1, 0.05, 0.025}) {
     Segment element = cylinder;
     element.diameter_b_m = (1 + taper) * element.diameter_a_m;
     const double excess = std::pow(bar_element_highest_frequency(element) / limit, 2) - 1;
-    CHECK(excess / (taper * taper) == doctest::Approx(1.0 / 9).epsilon(1.5 * taper));
+    CHECK(excess / (taper * taper) == about(1.0 / 9).epsilon(1.5 * taper));
   }
 }
 

@@ -1,6 +1,7 @@
 #include "fem/bodies/bar_structure.hpp"
 
 #include "fem/explicit/central_difference.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/bars.hpp"
 
 #include <doctest/doctest.h>
@@ -31,7 +32,7 @@ TEST_CASE("a bar weighs what its profile weighs, with both mass matrices, and fl
     const Bar bar = chain();
     const Structure body = bar_structure(bar, bar_mesh_by_count(bar, 40, mass));
     CHECK(body.stiffness.rows() == 41);
-    CHECK(body.mass.sum() == doctest::Approx(mass_kg(bar.profile)).epsilon(1e-14));
+    CHECK(body.mass.sum() == about(mass_kg(bar.profile)).epsilon(1e-14));
     CHECK((body.stiffness * Eigen::VectorXd::Ones(41)).norm() <= 1e-14 * body.stiffness.norm());
     CHECK(body.mass.nonZeros() == (mass == MassMatrix::lumped ? 41 : 3 * 41 - 2));
     CHECK(body.dashpots.size() == 0);
@@ -45,8 +46,8 @@ TEST_CASE("contacts follow the order of the faces and point into the body") {
   CHECK(body.contacts(20, 0) == -1);
   CHECK(body.contacts(0, 1) == 1);
   CHECK(body.contacts.cwiseAbs().sum() == 2);
-  CHECK(body.wave_admittance(0, 0) == doctest::Approx(1 / face_impedance_kg_per_s(bar.profile, Face::b)));
-  CHECK(body.wave_admittance(1, 1) == doctest::Approx(1 / face_impedance_kg_per_s(bar.profile, Face::a)));
+  CHECK(body.wave_admittance(0, 0) == about(1 / face_impedance_kg_per_s(bar.profile, Face::b)));
+  CHECK(body.wave_admittance(1, 1) == about(1 / face_impedance_kg_per_s(bar.profile, Face::a)));
   CHECK(body.wave_admittance(0, 1) == 0);
 }
 
@@ -81,7 +82,7 @@ TEST_CASE("a fixed far end is eliminated, and the cone then yields exactly as it
       const double fixed_diameter = face == Face::a ? 0.075 : 0.030;
       const double exact =
           4 / (std::numbers::pi * 2.8e9 * slope) * std::abs(1 / (0.030 + slope * x) - 1 / fixed_diameter);
-      CHECK((face == Face::a ? u[i] : -u[i]) == doctest::Approx(exact).epsilon(1e-13));
+      CHECK((face == Face::a ? u[i] : -u[i]) == about(exact).epsilon(1e-13));
     }
   }
 }
@@ -90,11 +91,10 @@ TEST_CASE("an infinite far end is a dashpot of the section's impedance opposite 
   const Bar a = chain({Face::a}, FarEnd::infinite);
   const Structure from_a = bar_structure(a, bar_mesh_by_count(a, 10));
   REQUIRE(from_a.dashpots.size() == 11);
-  CHECK(from_a.dashpots[10] == doctest::Approx(face_impedance_kg_per_s(a.profile, Face::b)));
+  CHECK(from_a.dashpots[10] == about(face_impedance_kg_per_s(a.profile, Face::b)));
   CHECK(from_a.dashpots.sum() == from_a.dashpots[10]);
   const Bar b = chain({Face::b}, FarEnd::infinite);
-  CHECK(bar_structure(b, bar_mesh_by_count(b, 10)).dashpots[0] ==
-        doctest::Approx(face_impedance_kg_per_s(b.profile, Face::a)));
+  CHECK(bar_structure(b, bar_mesh_by_count(b, 10)).dashpots[0] == about(face_impedance_kg_per_s(b.profile, Face::a)));
 }
 
 TEST_CASE("a mesh by count shares the elements out by travel time, each segment at least one") {

@@ -1,6 +1,7 @@
 #include "fem/explicit/central_difference.hpp"
 
 #include "fem/bodies/bar_structure.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/bars.hpp"
 #include "tests/support/oscillator.hpp"
 
@@ -32,7 +33,7 @@ TEST_CASE("an oscillator turns by the discrete angle, sin(θ/2) = ωΔt/2") {
   stepper.set_load(state, 0 * contact);
   for (int n = 1; n <= 50; ++n) {
     stepper.advance(state, 0 * contact);
-    CHECK(state.displacement[0] == doctest::Approx(std::cos(n * 2 * std::asin(2 * step / 2))).epsilon(1e-13));
+    CHECK(std::abs(state.displacement[0] - std::cos(n * 2 * std::asin(2 * step / 2))) < 1e-13);
   }
 }
 
@@ -53,8 +54,7 @@ TEST_CASE("a damped, driven oscillator converges with order 2 in displacement an
     const double u = re * std::cos(4.0) - im * std::sin(4.0), v = -re * std::sin(4.0) - im * std::cos(4.0);
     errors.push_back(std::hypot(state.displacement[0] - u, state.velocity[0] - v));
   }
-  for (std::size_t i = 1; i < errors.size(); ++i)
-    CHECK(std::log2(errors[i - 1] / errors[i]) == doctest::Approx(2).epsilon(0.05));
+  for (std::size_t i = 1; i < errors.size(); ++i) CHECK(std::log2(errors[i - 1] / errors[i]) == about(2).epsilon(0.05));
 }
 
 TEST_CASE(
@@ -151,7 +151,7 @@ TEST_CASE("the stability limit is 2/ω of the highest mode, on the safe side, fo
         const Structure body = bar_structure(bar, bar_mesh_by_count(bar, 37, mass));
         CHECK(std::abs(stability_limit_s(body) * highest_frequency(body) / 2 - 1) <= 1e-11);
       }
-  CHECK(stability_limit_s(oscillator(9, 4)) == doctest::Approx(4.0 / 3).epsilon(1e-12));
+  CHECK(stability_limit_s(oscillator(9, 4)) == about(4.0 / 3).epsilon(1e-12));
 }
 
 TEST_CASE("the limit is where motion starts to grow") {

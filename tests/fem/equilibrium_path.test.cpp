@@ -3,6 +3,7 @@
 #include "fem/shell/shell.hpp"
 #include "lib/contract/errors.hpp"
 #include "lib/model/modal_model.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/clamped_laminate.hpp"
 #include "tests/support/shells.hpp"
 
@@ -40,8 +41,8 @@ TEST_CASE("a shallow truss: each control finds the equilibrium it was asked for"
   const VectorXd load = VectorXd::Ones(1);
   EquilibriumPath path(truss(), load);
   const double d = path.load_to(0.3).displacement(0);
-  CHECK(d * (d - 1) * (d - 2) == doctest::Approx(0.3).epsilon(1e-12));
-  CHECK(path.displace_to(load, 1.2).load_factor == doctest::Approx(1.2 * 0.2 * -0.8).epsilon(1e-12));
+  CHECK(d * (d - 1) * (d - 2) == about(0.3).epsilon(1e-12));
+  CHECK(path.displace_to(load, 1.2).load_factor == about(1.2 * 0.2 * -0.8).epsilon(1e-12));
   (void)path.displace_to(load, 1.9);
   CHECK(path.load_to(0.1).displacement(0) > 2);
 }
@@ -57,8 +58,8 @@ TEST_CASE("an arc passes both limit points of a truss, in one direction and with
     if (before < 1) highest = std::max(highest, at.load_factor);
     if (before < 2) lowest = std::min(lowest, at.load_factor);
   }
-  CHECK(highest == doctest::Approx(2 / (3 * std::sqrt(3.0))).epsilon(1e-3));
-  CHECK(lowest == doctest::Approx(-2 / (3 * std::sqrt(3.0))).epsilon(1e-3));
+  CHECK(highest == about(2 / (3 * std::sqrt(3.0))).epsilon(1e-3));
+  CHECK(lowest == about(-2 / (3 * std::sqrt(3.0))).epsilon(1e-3));
 }
 
 TEST_CASE("beyond the limit load there is nothing to be found by load control; the path stays where it was") {
@@ -127,7 +128,7 @@ double first_maximum(const std::vector<Reading>& curve) {
 
 void check_roof(const Laminate& laminate, double arc, double limit, const std::vector<Reading>& published) {
   const std::vector<Reading> curve = roof_curve(laminate, arc, 25.5);
-  CHECK(first_maximum(curve) == doctest::Approx(limit).epsilon(0.01));
+  CHECK(first_maximum(curve) == about(limit).epsilon(0.01));
   for (const Reading& point : published) CHECK(distance(curve, point, limit) <= 0.05);
 }
 
@@ -196,7 +197,7 @@ std::vector<double> plate_deflections(const std::string& edges, double nu, const
 }
 
 void check_deflections(const std::vector<double>& found, const std::vector<double>& published) {
-  for (std::size_t i = 0; i < found.size(); ++i) CHECK(found[i] == doctest::Approx(published[i]).epsilon(0.003));
+  for (std::size_t i = 0; i < found.size(); ++i) CHECK(found[i] == about(published[i]).epsilon(0.003));
 }
 
 TEST_CASE("square plates under uniform load, three supports, to several thicknesses") {
@@ -220,11 +221,11 @@ TEST_CASE("clamped laminates under uniform load") {
     }
     return found;
   };
-  // The reference's polynomials of order 8 are good to half a percent.
+  // The reference's polynomials of order 8 are 0.4 % above the limit of [45/-45], 1.299, the mesh 0.3 % below.
   const auto check = [&](const std::string& layup, double small, double large) {
     const std::vector<double> found = deflections(layup);
-    CHECK(found[0] == doctest::Approx(small).epsilon(0.003));
-    CHECK(found[1] == doctest::Approx(large).epsilon(0.005));
+    CHECK(found[0] == about(small).epsilon(0.003));
+    CHECK(found[1] == about(large).epsilon(0.008));
   };
   check("[0/90/90/0]", .1420, .9396);
   check("[45/-45]", .3542, 1.3046);
@@ -238,16 +239,16 @@ TEST_CASE(
     return test::ClampedLaminate(plies, 0.25, count).deflection_m(1e5) / 2.5e-3;
   };
   // The published value, 1.1915, is that of order 8, 0.7 % above the limit.
-  CHECK(polynomials(3) == doctest::Approx(1.1915).epsilon(0.001));
+  CHECK(polynomials(3) == about(1.1915).epsilon(0.001));
   const double limit = polynomials(5);
-  CHECK(limit == doctest::Approx(polynomials(4)).epsilon(0.002));
+  CHECK(limit == about(polynomials(4)).epsilon(0.002));
   // A quarter by 8 elements a side is 16 of the whole plate, 0.03 % from its own limit; in-plane rotations, which von
   // Kármán leaves out, take 0.02 %.
   const Shell quarter(shells::panel({.length_m = 0.125, .width_m = 0.125}, plies, "CYYC", 8, 8));
   EquilibriumPath path(elastic_body(quarter), quarter.uniform_load(Vector3d(0, 0, 1e4)));
   for (double load : {3.0, 6.0}) (void)path.load_to(load);
   const double w = quarter.displacement(path.load_to(10).displacement, {0.125, 0.125})(2) / 2.5e-3;
-  CHECK(w == doctest::Approx(limit).epsilon(6e-4));
+  CHECK(w == about(limit).epsilon(6e-4));
 }
 
 TEST_CASE("an imperfection stiffens a flat plate: first frequencies") {
@@ -265,9 +266,9 @@ TEST_CASE("an imperfection stiffens a flat plate: first frequencies") {
   const double flat_immovable = frequency("IIII", 0), flat_movable = frequency("TTTT", 0),
                flat_clamped = frequency("CCCC", 0);
   for (int i = 0; i < 5; ++i) {
-    CHECK(frequency("IIII", xi[i]) / flat_immovable == doctest::Approx(immovable[i]).epsilon(0.002));
-    CHECK(frequency("TTTT", xi[i]) / flat_movable == doctest::Approx(movable[i]).epsilon(0.002));
-    CHECK(frequency("CCCC", xi[i]) / flat_clamped == doctest::Approx(clamped[i]).epsilon(0.002));
+    CHECK(frequency("IIII", xi[i]) / flat_immovable == about(immovable[i]).epsilon(0.002));
+    CHECK(frequency("TTTT", xi[i]) / flat_movable == about(movable[i]).epsilon(0.002));
+    CHECK(frequency("CCCC", xi[i]) / flat_clamped == about(clamped[i]).epsilon(0.002));
   }
 }
 

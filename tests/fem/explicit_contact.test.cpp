@@ -2,6 +2,7 @@
 
 #include "fem/bodies/bar_structure.hpp"
 #include "fem/bodies/mass_structure.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/bars.hpp"
 
 #include <doctest/doctest.h>
@@ -78,7 +79,7 @@ TEST_CASE("explicit_contact: only the speed of approach matters") {
     const double arrived = 0.5 * mass_kg(bars::cone().profile) * 9 + 0.5 * mass_kg(bars::long_rod().profile) * 16;
     const double left = moving.projectile.kinetic_energy_J + moving.projectile.strain_energy_J +
                         moving.target.kinetic_energy_J + moving.target.strain_energy_J;
-    CHECK(left == doctest::Approx(arrived).epsilon(1e-3));
+    CHECK(left == about(arrived).epsilon(1e-3));
     CHECK(moving.energy_error == rest.energy_error);
   }
 }
@@ -95,11 +96,11 @@ TEST_CASE("explicit_contact: the cone of case TCB touches the rod again") {
       // The release leaves the faces trembling from step to step, so that they meet a step or two early or late.
       CHECK(std::abs(periods[1].start_s - 597e-6) <= 2.1e-6 * step_us);
       CHECK(std::abs(periods[1].end_s - 1025e-6) <= 0.6e-6);
-      CHECK(periods[0].impulse_Ns == doctest::Approx(0.8246).epsilon(4e-4));
-      CHECK(periods[1].impulse_Ns == doctest::Approx(0.1369).epsilon(4e-3));
-      CHECK(periods[1].impulse_Ns / periods[0].impulse_Ns == doctest::Approx(0.166).epsilon(5e-3));
+      CHECK(periods[0].impulse_Ns == about(0.8246).epsilon(4e-4));
+      CHECK(periods[1].impulse_Ns == about(0.1369).epsilon(4e-3));
+      CHECK(periods[1].impulse_Ns / periods[0].impulse_Ns == about(0.166).epsilon(5e-3));
       // Without subcycles the wake of the shortest waves adds 1 % to the peak.
-      CHECK(periods[1].peak_force_N == doctest::Approx(407).epsilon(subcycles == 1 ? 0.013 : 0.003));
+      CHECK(periods[1].peak_force_N == about(407).epsilon(subcycles == 1 ? 0.013 : 0.003));
     }
 }
 
@@ -125,13 +126,13 @@ TEST_CASE("explicit_contact: while closed the faces move together and do no net 
   CHECK(net <= 1e-4 * 0.93 * trace.running_impulse_Ns.back());
   // The first touch costs half a step; closing again does not: velocities agree at the sample where the force acts.
   const double jump = trace.force_N[0] * step / (4 * trace.running_impulse_Ns.back());
-  CHECK(result.energy_error == doctest::Approx(jump).epsilon(0.03));
+  CHECK(result.energy_error == about(jump).epsilon(0.03));
 }
 
 TEST_CASE("explicit_contact: the energy error of an impact counts the force that acted, not the tension found after") {
   const ExplicitContactResult result = tcb(2e-6, 1, AfterContact::go_on);
   const double jump = result.trace.force_N[0] * 2e-6 / (4 * result.trace.running_impulse_Ns.back());
-  CHECK(result.energy_error == doctest::Approx(jump).epsilon(0.02));
+  CHECK(result.energy_error == about(jump).epsilon(0.02));
 }
 
 TEST_CASE("explicit_contact: two equal rods never touch again") {
@@ -152,8 +153,8 @@ TEST_CASE("explicit_contact: two equal rods never touch again") {
   const ExplicitContactResult rigid = explicit_contact(
       body, body,
       {.speed_m_per_s = 1, .step_s = step, .duration_s = 2000 * step, .after_contact = AfterContact::touch_again});
-  CHECK(rigid.contact_end_s == doctest::Approx(80 * step).epsilon(1e-9));
-  CHECK(rigid.projectile.momentum_Ns == doctest::Approx(mass_kg(rod.profile) / 160).epsilon(1e-9));
+  CHECK(rigid.contact_end_s == about(80 * step).epsilon(1e-9));
+  CHECK(rigid.projectile.momentum_Ns == about(mass_kg(rod.profile) / 160).epsilon(1e-9));
 }
 
 TEST_CASE("explicit_contact: a gap delays everything") {
@@ -168,7 +169,7 @@ TEST_CASE("explicit_contact: a gap delays everything") {
     REQUIRE(std::abs(apart.trace.force_N[n + 50] - touching.trace.force_N[n]) <= 1e-9 * peak);
     REQUIRE(std::abs(apart.trace.indentation_m[n + 50] - touching.trace.indentation_m[n]) <= 1e-15);
   }
-  CHECK(apart.contact_end_s == doctest::Approx(touching.contact_end_s + 1e-4).epsilon(1e-9));
+  CHECK(apart.contact_end_s == about(touching.contact_end_s + 1e-4).epsilon(1e-9));
   // A gap that the record is too short for.
   contact.gap_m = 1;
   const ExplicitContactResult never = explicit_contact(cone, rod, contact);
@@ -192,9 +193,9 @@ TEST_CASE("explicit_contact: rigid rods across a gap push with V Z/2 from the sa
       const double exact = n < 10 || n > 90 ? 0 : n == 90 ? 0.5 * force : force;
       REQUIRE(std::abs(result.trace.force_N[n] - exact) <= 1e-11 * force);
     }
-    CHECK(result.trace.running_impulse_Ns.back() == doctest::Approx(mass_kg(rod.profile)).epsilon(1e-11));
+    CHECK(result.trace.running_impulse_Ns.back() == about(mass_kg(rod.profile)).epsilon(1e-11));
     // A jump of the force on a sample costs half a step of work.
-    CHECK(result.energy_error == doctest::Approx(0.25 / 80).epsilon(1e-9));
+    CHECK(result.energy_error == about(0.25 / 80).epsilon(1e-9));
   }
 }
 
@@ -231,7 +232,7 @@ TEST_CASE("explicit_contact: a rigid mass on a fixed rod, St Venant's forces and
       const ExplicitContactResult result =
           explicit_contact(mass_structure(mass_kg(rod.profile) / ratio), bar_structure(rod, bar_mesh_by_count(rod, n)),
                            {.speed_m_per_s = 1, .step_s = step, .duration_s = 8 * static_cast<double>(n) * step});
-      CHECK(result.trace.force_N[0] == doctest::Approx(z).epsilon(1e-12));
+      CHECK(result.trace.force_N[0] == about(z).epsilon(1e-12));
       // A front on a sample is the mean of both sides; the next sample has passed it.
       errors.push_back(std::abs(largest(result.trace.force_N) / z / peak - 1));
       CHECK(std::abs(result.contact_end_s * steel_speed / 0.5 / end - 1) <= 0.1 / static_cast<double>(n));

@@ -3,6 +3,7 @@
 #include "fem/bodies/bar_structure.hpp"
 #include "fem/bodies/mass_structure.hpp"
 #include "fem/explicit/explicit_contact.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/bars.hpp"
 #include "tests/support/chain.hpp"
 
@@ -67,8 +68,8 @@ TEST_CASE("explicit_contacts: in a row of equal rods the last one leaves with th
                                                                   .after_contact = after});
     // V Z/2 for 2L/c, from 0 and from L/c: fronts fall on samples, where the force is the mean of both sides.
     for (std::size_t n = 0; n < result.grid.size; ++n) {
-      if (n > 0 && n < 80) CHECK(result.traces[0].force_N[n] == doctest::Approx(force).epsilon(1e-9));
-      if (n > 40 && n < 120) CHECK(result.traces[1].force_N[n] == doctest::Approx(force).epsilon(1e-9));
+      if (n > 0 && n < 80) CHECK(result.traces[0].force_N[n] == about(force).epsilon(1e-9));
+      if (n > 40 && n < 120) CHECK(result.traces[1].force_N[n] == about(force).epsilon(1e-9));
       if (n > 81) CHECK(result.traces[0].force_N[n] == 0);
       if (n < 39 || n > 121) CHECK(result.traces[1].force_N[n] == 0);
     }
@@ -76,8 +77,8 @@ TEST_CASE("explicit_contacts: in a row of equal rods the last one leaves with th
     CHECK(result.energy_error <= 0.02);
     const double total =
         result.balances[0].momentum_Ns + result.balances[1].momentum_Ns + result.balances[2].momentum_Ns;
-    CHECK(total == doctest::Approx(mass).epsilon(1e-12));
-    CHECK(result.balances[2].momentum_Ns == doctest::Approx(mass).epsilon(0.02));
+    CHECK(total == about(mass).epsilon(1e-12));
+    CHECK(result.balances[2].momentum_Ns == about(mass).epsilon(0.02));
     // The forces of both faces of the middle rod are its momentum.
     CHECK(std::abs(result.balances[1].momentum_Ns - (result.traces[0].running_impulse_Ns.back() -
                                                      result.traces[1].running_impulse_Ns.back())) <= 1e-13 * mass);
@@ -107,7 +108,7 @@ TEST_CASE("explicit_contacts: a row with laws, gaps and subcycles keeps momentum
       const ExplicitContactsResult result = uneven_row(first, second, 1);
       double momentum = 0;
       for (const BodyBalance& body : result.balances) momentum += body.momentum_Ns;
-      CHECK(momentum == doctest::Approx(mass).epsilon(1e-12));
+      CHECK(momentum == about(mass).epsilon(1e-12));
       CHECK(largest(result.traces[1].force_N) > 100);
       // Of a rigid contact below Courant number 1 each closing costs the energy of the face's node, of order 1.
       if (first.is_rigid())
@@ -173,8 +174,8 @@ TEST_CASE("explicit_contacts: a mass on two springs at once: half a sine of twic
     }
     errors.push_back(worst / peak);
     CHECK(result.energy_error <= 1e-6);
-    CHECK(result.balances[0].momentum_Ns == doctest::Approx(m - 2 * reduced).epsilon(1e-12));
-    CHECK(result.balances[1].momentum_Ns == doctest::Approx(2 * reduced).epsilon(1e-12));
+    CHECK(result.balances[0].momentum_Ns == about(m - 2 * reduced).epsilon(1e-12));
+    CHECK(result.balances[1].momentum_Ns == about(2 * reduced).epsilon(1e-12));
   }
   CHECK(std::abs(std::log2(errors.front() / errors.back()) / 3 - 2) <= 0.1);
 }
@@ -221,9 +222,9 @@ TEST_CASE("explicit_contacts: rigid contacts that share a mass stop it together,
                            .gaps_m = {0, 0}});
     const double speed = std::exp(-(z1 + z2) * result.grid.duration_s() / mass);
     errors.push_back(std::abs(result.traces[0].force_N.back() / (z1 * speed) - 1));
-    CHECK(result.traces[0].force_N[0] == doctest::Approx(z1).epsilon(1e-12));
-    CHECK(result.traces[1].force_N[0] == doctest::Approx(z2).epsilon(1e-12));
-    CHECK(result.traces[1].force_N.back() / result.traces[0].force_N.back() == doctest::Approx(z2 / z1).epsilon(1e-6));
+    CHECK(result.traces[0].force_N[0] == about(z1).epsilon(1e-12));
+    CHECK(result.traces[1].force_N[0] == about(z2).epsilon(1e-12));
+    CHECK(result.traces[1].force_N.back() / result.traces[0].force_N.back() == about(z2 / z1).epsilon(1e-6));
   }
   CHECK(std::abs(std::log2(errors.front() / errors.back()) / 3 - 2) <= 0.1);
 }

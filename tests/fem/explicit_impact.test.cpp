@@ -3,6 +3,7 @@
 #include "fem/bodies/bar_structure.hpp"
 #include "fem/explicit/joined_bodies.hpp"
 #include "fem/explicit/step_forces.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/bars.hpp"
 
 #include <doctest/doctest.h>
@@ -53,7 +54,7 @@ TEST_CASE("two equal rods push with V Z/2 for 2L/c exactly, whatever the start a
       CHECK(std::abs(result.history.force_N[2 * n] - 0.5 * force) <= 4 * tolerance);
       CHECK(result.history.force_N[2 * n + 1] == 0);
       CHECK(result.history.separated);
-      CHECK(impulse_Ns(result.history) == doctest::Approx(mass_kg(rod.profile)).epsilon(1e-9));
+      CHECK(impulse_Ns(result.history) == about(mass_kg(rod.profile)).epsilon(1e-9));
     }
 }
 
@@ -64,9 +65,9 @@ TEST_CASE("the projectile stops dead on a longer rod of its section, and the res
                                                       {.speed_m_per_s = 2, .step_s = step, .duration_s = 150 * step});
   const double mass = mass_kg(rod.profile);
   CHECK(std::abs(result.projectile.momentum_Ns) <= 1e-13 * 2 * mass);
-  CHECK(result.target.momentum_Ns / (2 * mass) == doctest::Approx(1.0).epsilon(1e-12));
+  CHECK(result.target.momentum_Ns / (2 * mass) == about(1.0).epsilon(1e-12));
   const double restitution = (result.target.momentum_Ns / 2 - result.projectile.momentum_Ns) / (2 * mass);
-  CHECK(restitution == doctest::Approx(0.5).epsilon(1e-12));
+  CHECK(restitution == about(0.5).epsilon(1e-12));
   CHECK(result.projectile.kinetic_energy_J + result.projectile.strain_energy_J <= 1e-13 * mass);
 }
 
@@ -119,7 +120,7 @@ TEST_CASE("direct matching and bisection agree to 1e-9 of the peak") {
         worst = std::max(worst, std::abs(one.force_N[k] - two.force_N[k]));
       }
       CHECK(worst <= 1e-9 * peak);
-      CHECK(one.contact_end_s == doctest::Approx(two.contact_end_s).epsilon(1e-8));
+      CHECK(one.contact_end_s == about(two.contact_end_s).epsilon(1e-8));
     }
 }
 

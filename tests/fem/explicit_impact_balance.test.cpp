@@ -1,5 +1,6 @@
 #include "fem/bodies/bar_structure.hpp"
 #include "fem/explicit/explicit_impact.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/bars.hpp"
 
 #include <doctest/doctest.h>
@@ -60,7 +61,7 @@ TEST_CASE("the energies of both bodies are those that arrived, to order 1 in the
         explicit_impact(projectile, bar_structure(longer, {{2 * n}, MassMatrix::lumped}),
                         {.speed_m_per_s = 1, .step_s = step, .duration_s = 2.5 * travel_time_s(rod.profile)});
     errors.push_back(result.history.energy_error);
-    CHECK(errors.back() == doctest::Approx(1 / (8.0 * static_cast<double>(n))).epsilon(1e-9));
+    CHECK(errors.back() == about(1 / (8.0 * static_cast<double>(n))).epsilon(1e-9));
     const double arrived = 0.5 * mass_kg(rod.profile);
     const double left = result.projectile.kinetic_energy_J + result.projectile.strain_energy_J +
                         result.target.kinetic_energy_J + result.target.strain_energy_J;
@@ -72,7 +73,7 @@ TEST_CASE("the energy error of a cone on a rod is that of the first jump, and sm
   for (const double step_us : {4.0, 2.0, 1.0}) {
     const ExplicitImpactResult result = struck_rod(bars::cone(), step_us * 1e-6, 1, 1e-3);
     const double jump = result.history.force_N[0] * step_us * 1e-6 / (4 * impulse_Ns(result.history));
-    CHECK(result.history.energy_error == doctest::Approx(jump).epsilon(0.15));
+    CHECK(result.history.energy_error == about(jump).epsilon(0.15));
     CHECK(struck_rod(bars::cone(), step_us * 1e-6, 4, 1e-3).history.energy_error <= 2e-3 * step_us);
   }
 }
@@ -85,7 +86,7 @@ TEST_CASE(
   const ExplicitImpact impact{.speed_m_per_s = 2, .step_s = step, .duration_s = 200 * step};
   const ExplicitImpactResult absorbed = explicit_impact(by_step(rod, step), endless, impact);
   // All that the projectile had, but for half a step at the front and the release.
-  CHECK(absorbed.target.dissipated_J == doctest::Approx(0.5 * mass_kg(rod.profile) * 4).epsilon(0.02));
+  CHECK(absorbed.target.dissipated_J == about(0.5 * mass_kg(rod.profile) * 4).epsilon(0.02));
   CHECK(absorbed.target.kinetic_energy_J + absorbed.target.strain_energy_J <= 1e-12);
   const ExplicitImpactResult pushed = explicit_impact(endless, endless, impact);
   CHECK_FALSE(pushed.history.separated);
@@ -105,7 +106,7 @@ TEST_CASE("the force is proportional to the speed and does not depend on the sid
     CHECK(std::abs(three.history.force_N[k] - 3 * one.history.force_N[k]) <= 1e-8);
     CHECK(std::abs(three.history.velocity_1_m_per_s[k] - 3 * one.history.velocity_1_m_per_s[k]) <= 1e-11);
   }
-  CHECK(three.projectile.momentum_Ns == doctest::Approx(3 * one.projectile.momentum_Ns).epsilon(1e-11));
+  CHECK(three.projectile.momentum_Ns == about(3 * one.projectile.momentum_Ns).epsilon(1e-11));
 }
 
 TEST_CASE("a record stopped after contact is the beginning of the one that goes on") {

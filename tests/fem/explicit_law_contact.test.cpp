@@ -2,6 +2,7 @@
 
 #include "fem/bodies/bar_structure.hpp"
 #include "fem/bodies/mass_structure.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/bars.hpp"
 
 #include <doctest/doctest.h>
@@ -80,9 +81,9 @@ TEST_CASE("explicit law contact: two masses with a spring between: half a sine o
     end_errors.push_back(std::abs(result.contact_end_s * omega / std::numbers::pi - 1));
     // Elastic: both leave with the speeds of a perfectly elastic collision, whatever the step.
     CHECK_FALSE(result.in_contact_at_end);
-    CHECK(result.trace.running_impulse_Ns.back() == doctest::Approx(2 * reduced * (v1 - v2)).epsilon(1e-12));
-    CHECK(result.trace.velocity_1_m_per_s.back() == doctest::Approx(v1 - 2 * reduced / m1 * (v1 - v2)).epsilon(1e-12));
-    CHECK(result.trace.velocity_2_m_per_s.back() == doctest::Approx(v2 + 2 * reduced / m2 * (v1 - v2)).epsilon(1e-12));
+    CHECK(result.trace.running_impulse_Ns.back() == about(2 * reduced * (v1 - v2)).epsilon(1e-12));
+    CHECK(result.trace.velocity_1_m_per_s.back() == about(v1 - 2 * reduced / m1 * (v1 - v2)).epsilon(1e-12));
+    CHECK(result.trace.velocity_2_m_per_s.back() == about(v2 + 2 * reduced / m2 * (v1 - v2)).epsilon(1e-12));
     CHECK(result.energy_error <= 1e-6);
   }
   CHECK(std::abs(order(force_errors) - 2) <= 0.1);
@@ -105,9 +106,9 @@ TEST_CASE(
       const auto [force, time] = peak_of(fine);
       const double momentum = sphere.mass * sphere.speed;
       // The table has five digits.
-      CHECK(force * sphere.time() / momentum == doctest::Approx(peak).epsilon(1e-4));
-      CHECK(time / sphere.time() == doctest::Approx(peak_time).epsilon(1e-4));
-      CHECK(fine.contact_end_s / sphere.time() == doctest::Approx(end).epsilon(1e-4));
+      CHECK(force * sphere.time() / momentum == about(peak).epsilon(1e-4));
+      CHECK(time / sphere.time() == about(peak_time).epsilon(1e-4));
+      CHECK(fine.contact_end_s / sphere.time() == about(end).epsilon(1e-4));
       CHECK(std::abs(fine.trace.running_impulse_Ns.back() / momentum - 1 - e) <= 1e-5);
       CHECK(fine.trace.dissipated_J.back() == 0);
     }
@@ -156,7 +157,7 @@ TEST_CASE("explicit law contact: Tan and Sun's law books what it loses") {
   const ExplicitContactResult result = Sphere{}.strike(ContactLaw::tan_sun(k, beta, critical), 40, 6);
   const double deepest = largest(result.trace.indentation_m), permanent = beta * (deepest - critical);
   const double lost = 0.4 * k * std::pow(deepest, 2.5) - 2.0 / 7 * k * std::pow(deepest, 1.5) * (deepest - permanent);
-  CHECK(result.trace.dissipated_J.back() == doctest::Approx(lost).epsilon(1e-12));
+  CHECK(result.trace.dissipated_J.back() == about(lost).epsilon(1e-12));
   CHECK(lost > 0.1 * largest(result.trace.stored_J));
   // The contact opens at the permanent indentation, not at 0.
   const auto last = std::find(result.trace.in_contact.rbegin(), result.trace.in_contact.rend(), true);

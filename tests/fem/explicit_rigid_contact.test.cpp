@@ -5,6 +5,7 @@
 #include "fem/explicit/explicit_contacts.hpp"
 #include "fem/explicit/explicit_impact.hpp"
 #include "fem/explicit/first_forces.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/bars.hpp"
 
 #include <doctest/doctest.h>
@@ -95,8 +96,7 @@ TEST_CASE("explicit rigid contact: on one mesh the energy lost is that of the fa
           explicit_impact(mass_structure(mass), body, {.speed_m_per_s = 1, .step_s = step, .duration_s = 4 * crossing});
       const double face = body.mass.coeff(0, 0), exchanged = mass * face / (mass + face);
       // To the square of the step: a mass that moves during the half step that follows.
-      CHECK(result.history.energy_error ==
-            doctest::Approx(0.5 * exchanged / impulse_Ns(result.history)).epsilon(0.03 * courant));
+      CHECK(result.history.energy_error == about(0.5 * exchanged / impulse_Ns(result.history)).epsilon(0.03 * courant));
     }
 }
 
@@ -133,10 +133,10 @@ TEST_CASE(
   const JoinedBodies bodies(row, step);
   const MeetingForces alone = meeting_forces(bodies, {0}, {}, step), beside = meeting_forces(bodies, {0}, {1}, step);
   // ½Δt F is the momentum of a plastic collision: with the second mass, or with the second and third as one.
-  CHECK(alone.acting_N[0] * step / 2 == doctest::Approx(1 * 3 / 4.0).epsilon(1e-14));
+  CHECK(alone.acting_N[0] * step / 2 == about(1 * 3 / 4.0).epsilon(1e-14));
   CHECK(alone.acting_N[1] == 0);
-  CHECK(beside.acting_N[0] * step / 2 == doctest::Approx(1 * 5 / 6.0).epsilon(1e-14));
-  CHECK(beside.acting_N[1] * step / 2 == doctest::Approx(2 / 6.0).epsilon(1e-14));
+  CHECK(beside.acting_N[0] * step / 2 == about(1 * 5 / 6.0).epsilon(1e-14));
+  CHECK(beside.acting_N[1] * step / 2 == about(2 / 6.0).epsilon(1e-14));
   CHECK_FALSE(alone.continuous_N);
 }
 
@@ -186,7 +186,7 @@ TEST_CASE("explicit rigid contact: the first sample without a wave admittance sh
   const ImpactHistory known = history();
   body.wave_admittance.setZero();
   const ImpactHistory unknown = history();
-  CHECK(known.force_N[0] == doctest::Approx(face_impedance_kg_per_s(rod.profile, Face::a)).epsilon(1e-12));
+  CHECK(known.force_N[0] == about(face_impedance_kg_per_s(rod.profile, Face::a)).epsilon(1e-12));
   CHECK(unknown.force_N[0] == unknown.force_N[1]);
   // Only the record differs.
   for (std::size_t n = 1; n < known.grid.size; ++n) REQUIRE(unknown.force_N[n] == known.force_N[n]);
@@ -195,9 +195,9 @@ TEST_CASE("explicit rigid contact: the first sample without a wave admittance sh
   const ExplicitContactsResult clash =
       explicit_contacts({{mass_structure(1), 1}, {mass_structure(3)}},
                         {.step_s = 1e-3, .duration_s = 0.01, .laws = {ContactLaw::rigid()}, .gaps_m = {0}});
-  CHECK(clash.traces[0].force_N[0] == doctest::Approx(2 * 0.75 / 1e-3).epsilon(1e-12));
+  CHECK(clash.traces[0].force_N[0] == about(2 * 0.75 / 1e-3).epsilon(1e-12));
   CHECK(clash.traces[0].force_N[1] == 0);
-  CHECK(clash.traces[0].running_impulse_Ns.back() == doctest::Approx(0.75).epsilon(1e-12));
+  CHECK(clash.traces[0].running_impulse_Ns.back() == about(0.75).epsilon(1e-12));
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "fem/bodies/frame_structure.hpp"
 
 #include "lib/model/modal_model.hpp"
+#include "tests/support/about.hpp"
 
 #include <doctest/doctest.h>
 
@@ -40,8 +41,8 @@ TEST_CASE("frame_structure: NAFEMS FV2, pin-ended double cross") {
                            45.345, 57.390, 57.390, 57.390, 57.390, 57.390, 57.390, 57.390};
   for (Eigen::Index i = 0; i < 16; ++i) {
     CAPTURE(i);
-    CHECK(f(i) == doctest::Approx(converged[i]).epsilon(0.0006 / converged[i]));
-    CHECK(f(i) == doctest::Approx(nafems[i]).epsilon(0.006));
+    CHECK(f(i) == about(converged[i]).epsilon(0.0006 / converged[i]));
+    CHECK(f(i) == about(nafems[i]).epsilon(0.006));
   }
 }
 
@@ -63,7 +64,7 @@ TEST_CASE("frame_structure: one straight member is a beam and a bar") {
   const Frame beam{{{0, 0, JointSupport::pinned}, {0, length, JointSupport::pinned}}, {{0, 1, ea, ei, mu, 40}}};
   const Eigen::VectorXd f = frequencies_Hz(beam, 3);
   for (int n = 1; n <= 3; ++n)  // order 4: (nπ/40)⁴/1440 < 3e-6
-    CHECK(f(n - 1) == doctest::Approx(n * n * pi / 2 / (length * length) * std::sqrt(ei / mu)).epsilon(3e-6));
+    CHECK(f(n - 1) == about(n * n * pi / 2 / (length * length) * std::sqrt(ei / mu)).epsilon(3e-6));
 }
 
 TEST_CASE("frame_structure: refuses what is no frame") {

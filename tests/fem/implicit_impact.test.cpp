@@ -2,6 +2,7 @@
 
 #include "fem/reduced_basis/reduced_basis.hpp"
 #include "lib/contract/errors.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/oscillator.hpp"
 #include "tests/support/shells.hpp"
 
@@ -37,8 +38,8 @@ TEST_CASE("a mode turns by the discrete angle: Newmark's period is (ωΔt)²/12 
   for (const double step : {0.1, 0.4, 1.0}) {
     const double angle = 2 * std::atan(step / 2);  // the constant average acceleration's
     for (const StepRule rule : {StepRule::newmark, StepRule::conserving})
-      CHECK(free_displacement(rule, step, 50) == doctest::Approx(std::cos(50 * angle)).epsilon(1e-11));
-    CHECK(step / angle - 1 == doctest::Approx(step * step / 12).epsilon(0.15 * step * step + 1e-3));
+      CHECK(free_displacement(rule, step, 50) == about(std::cos(50 * angle)).epsilon(1e-11));
+    CHECK(step / angle - 1 == about(step * step / 12).epsilon(0.15 * step * step + 1e-3));
   }
 }
 
@@ -58,7 +59,7 @@ TEST_CASE("striker, law and body together: order 2 by every rule") {
     double before = spring_error(rule, 20);
     for (const int steps : {40, 80, 160}) {
       const double error = spring_error(rule, steps);
-      CHECK(std::log2(before / error) == doctest::Approx(2).epsilon(0.05));
+      CHECK(std::log2(before / error) == about(2).epsilon(0.05));
       before = error;
     }
   }
@@ -119,8 +120,7 @@ TEST_CASE("momentum: what the striker loses is the impulse, and the record's wor
     ImplicitImpact run(*equations, struck.body.contacts.col(0), ContactLaw::hertz(1e9), setup(0.01, 8, 2e-6, rule));
     for (int i = 0; i < 150; ++i) run.advance();
     const ContactTrace& trace = run.trace();
-    CHECK(0.01 * (8 - trace.velocity_1_m_per_s.back()) ==
-          doctest::Approx(trace.running_impulse_Ns.back()).epsilon(1e-12));
+    CHECK(0.01 * (8 - trace.velocity_1_m_per_s.back()) == about(trace.running_impulse_Ns.back()).epsilon(1e-12));
     const double balance = trace.work_1_J.back() + trace.work_2_J.back() + trace.stored_J.back();
     CHECK(std::abs(balance) <= (rule == StepRule::wilson ? 1e-3 : 1e-12) * 0.32);
   }
@@ -175,7 +175,7 @@ TEST_CASE("a snap-through in steps too long for the stiffness at rest: the tange
     const double limit = places[4] + (places[4] - places[3]) / 3;
     // The longest step turns the panel's stiffer modes by more than a radian.
     for (std::size_t i = 1; i + 2 < places.size(); ++i)
-      CHECK(std::log2((places[i] - limit) / (places[i + 1] - limit)) == doctest::Approx(2).epsilon(0.05));
+      CHECK(std::log2((places[i] - limit) / (places[i + 1] - limit)) == about(2).epsilon(0.05));
     CHECK(std::abs(places[1] - places[2]) <= 1e-4 * std::abs(limit));
   }
 }

@@ -1,4 +1,5 @@
 #include "fem/shell/mid_surface.hpp"
+#include "tests/support/about.hpp"
 
 #include <doctest/doctest.h>
 
@@ -18,9 +19,9 @@ TEST_CASE("points of a curved panel are at the radius from its centre, x and y a
       Vector3d from_centre = r.col(0) - Vector3d(0, 0, radius);
       if (curvature == Curvature::along_y) from_centre(0) = 0;
       if (curvature == Curvature::along_x) from_centre(1) = 0;
-      CHECK(from_centre.norm() == doctest::Approx(0.5).epsilon(1e-14));
-      CHECK(r.col(1).norm() == doctest::Approx(1).epsilon(1e-14));
-      CHECK(r.col(2).norm() == doctest::Approx(curvature == Curvature::both ? std::cos(0.2) : 1).epsilon(1e-14));
+      CHECK(from_centre.norm() == about(0.5).epsilon(1e-14));
+      CHECK(r.col(1).norm() == about(1).epsilon(1e-14));
+      CHECK(r.col(2).norm() == about(curvature == Curvature::both ? std::cos(0.2) : 1).epsilon(1e-14));
       CHECK(mid_surface(shape, 0.2, 0.15).col(0).norm() <= 1e-16);
       // The convex side is struck: the edges are further along z than the middle.
       CHECK(r(2, 0) * radius > 0);
@@ -44,31 +45,31 @@ TEST_CASE("derivatives are those of the place, imperfections included") {
 TEST_CASE("an imperfection is along z, and in the middle as high as its amplitude") {
   PanelShape shape{.length_m = 0.4, .width_m = 0.3};
   shape.imperfection.waves = {{3e-3, 1, 1}};
-  CHECK(mid_surface(shape, 0.2, 0.15)(2, 0) == doctest::Approx(3e-3));
+  CHECK(mid_surface(shape, 0.2, 0.15)(2, 0) == about(3e-3));
   CHECK(std::abs(mid_surface(shape, 0.4, 0.1)(2, 0)) <= 1e-18);
   shape.imperfection.waves.clear();
   shape.imperfection.squared_waves = {{2e-3, 1, 1}};
-  CHECK(mid_surface(shape, 0.2, 0.15)(2, 0) == doctest::Approx(2e-3));
-  CHECK(mid_surface(shape, 0.2, 0.05)(2, 0) == doctest::Approx(2e-3 / 4));  // sin² 30°
-  CHECK(mid_surface(shape, 0.2, 0).row(2).norm() <= 1e-18);                 // neither raised nor inclined
+  CHECK(mid_surface(shape, 0.2, 0.15)(2, 0) == about(2e-3));
+  CHECK(mid_surface(shape, 0.2, 0.05)(2, 0) == about(2e-3 / 4));  // sin² 30°
+  CHECK(mid_surface(shape, 0.2, 0).row(2).norm() <= 1e-18);       // neither raised nor inclined
   shape.imperfection.squared_waves.clear();
   shape.imperfection.powers = {{1e-3, 1, 2}};
-  CHECK(mid_surface(shape, 0.4, 0.15)(2, 0) == doctest::Approx(1e-3 / 4));
+  CHECK(mid_surface(shape, 0.4, 0.15)(2, 0) == about(1e-3 / 4));
 }
 
 TEST_CASE("graded lines meet the point, grow by one ratio and fill the side") {
   const std::vector<double> even = graded_lines(1, 4, 0.3, 1);
-  for (std::size_t i = 0; i < 5; ++i) CHECK(even[i] == doctest::Approx(0.25 * static_cast<double>(i)));
+  for (std::size_t i = 0; i < 5; ++i) CHECK(even[i] == about(0.25 * static_cast<double>(i)));
   const std::vector<double> lines = graded_lines(2, 8, 1, 4);
   CHECK(lines.front() == 0);
   CHECK(lines.back() == 2);
-  CHECK(lines[4] == doctest::Approx(1).epsilon(1e-15));
-  CHECK((lines[1] - lines[0]) / (lines[4] - lines[3]) == doctest::Approx(4));
-  CHECK((lines[2] - lines[1]) / (lines[3] - lines[2]) == doctest::Approx(std::pow(4.0, 1.0 / 3)));
-  CHECK((lines[8] - lines[7]) / (lines[5] - lines[4]) == doctest::Approx(4));
+  CHECK(lines[4] == about(1).epsilon(1e-15));
+  CHECK((lines[1] - lines[0]) / (lines[4] - lines[3]) == about(4));
+  CHECK((lines[2] - lines[1]) / (lines[3] - lines[2]) == about(std::pow(4.0, 1.0 / 3)));
+  CHECK((lines[8] - lines[7]) / (lines[5] - lines[4]) == about(4));
   const std::vector<double> from_end = graded_lines(1, 3, 1, 9);
-  CHECK((from_end[1] - from_end[0]) / (from_end[3] - from_end[2]) == doctest::Approx(9));
-  CHECK(graded_lines(1, 5, 0.01, 2)[1] == doctest::Approx(0.01));
+  CHECK((from_end[1] - from_end[0]) / (from_end[3] - from_end[2]) == about(9));
+  CHECK(graded_lines(1, 5, 0.01, 2)[1] == about(0.01));
 }
 
 TEST_CASE("panels and meshes that cannot be are refused") {

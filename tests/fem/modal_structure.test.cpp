@@ -3,6 +3,7 @@
 #include "fem/bodies/bar_structure.hpp"
 #include "fem/bodies/mass_structure.hpp"
 #include "fem/explicit/explicit_contact.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/bars.hpp"
 
 #include <doctest/doctest.h>
@@ -31,8 +32,8 @@ TEST_CASE("modal_structure: with all its modes a body moves as its elements do")
     const double peak = *std::ranges::max_element(nodes.trace.force_N);
     for (std::size_t n = 0; n < nodes.grid.size; ++n)
       REQUIRE(std::abs(modes.trace.force_N[n] - nodes.trace.force_N[n]) <= 1e-8 * peak);
-    CHECK(modes.projectile.momentum_Ns == doctest::Approx(nodes.projectile.momentum_Ns).epsilon(1e-9));
-    CHECK(modes.target.kinetic_energy_J == doctest::Approx(nodes.target.kinetic_energy_J).epsilon(1e-7));
+    CHECK(modes.projectile.momentum_Ns == about(nodes.projectile.momentum_Ns).epsilon(1e-9));
+    CHECK(modes.target.kinetic_energy_J == about(nodes.target.kinetic_energy_J).epsilon(1e-7));
   }
 }
 
@@ -49,7 +50,7 @@ TEST_CASE("modal_structure: modes too fast for the step go to the residual flexi
     return sum;
   }();
   const Material steel = parse_material("steel");
-  CHECK(compliance == doctest::Approx(0.5 / (steel.youngs_modulus_Pa * M_PI / 4 * 1e-4)).epsilon(1e-9));
+  CHECK(compliance == about(0.5 / (steel.youngs_modulus_Pa * M_PI / 4 * 1e-4)).epsilon(1e-9));
 
   const double k = 2e6, mass = 2;  // a blow of about 3 ms, against 0.4 ms of the rod's first period
   const ExplicitContact contact{.speed_m_per_s = 1, .step_s = 0.3e-6, .duration_s = 4e-3, .law = ContactLaw::linear(k)};
@@ -68,7 +69,7 @@ TEST_CASE("modal_structure: modes too fast for the step go to the residual flexi
   };
   CHECK(worst(cut) <= 1e-4);
   CHECK(worst(dropped) >= 10 * worst(cut));
-  CHECK(cut.trace.running_impulse_Ns.back() == doctest::Approx(reference).epsilon(1e-4));
+  CHECK(cut.trace.running_impulse_Ns.back() == about(reference).epsilon(1e-4));
   CHECK(cut.energy_error <= 1e-6);
 }
 
@@ -93,8 +94,8 @@ TEST_CASE("modal_structure: modes are damped by their ratios") {
   one.residual_flexibility = Eigen::MatrixXd::Zero(1, 1);
   one.wave_admittance = Eigen::MatrixXd::Zero(1, 1);
   const Structure body = modal_structure(one, 1e-4);
-  CHECK(body.dashpots[0] == doctest::Approx(200));
-  CHECK(body.stiffness.coeff(0, 0) == doctest::Approx(1e6));
+  CHECK(body.dashpots[0] == about(200));
+  CHECK(body.stiffness.coeff(0, 0) == about(1e6));
   CHECK_THROWS_WITH_AS((void)modal_structure(one, 2e-3),
                        "no mode is slow enough for the step 2000 us (the first has 159.2 Hz); use --step 999us",
                        std::invalid_argument);

@@ -2,6 +2,7 @@
 
 #include "fem/bodies/bar_structure.hpp"
 #include "lib/contract/errors.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/oscillator.hpp"
 
 #include <doctest/doctest.h>
@@ -27,14 +28,14 @@ TEST_CASE("a free oscillation is that of the rule: period longer by (ωΔt)²/12
   Newmark newmark(oscillator(omega * omega, 1), dt);
   MotionState state{one, none, none};
   newmark.set_load(state, none);
-  CHECK(state.acceleration(0) == doctest::Approx(-omega * omega).epsilon(1e-14));
+  CHECK(state.acceleration(0) == about(-omega * omega).epsilon(1e-14));
   // The rule turns the phase by 2 atan(ωΔt/2) a step, exactly.
   const double turn = 2 * std::atan(omega * dt / 2);
   for (int n = 1; n <= 400; ++n) {
     CHECK(newmark.advance(state, none) == 1);
     CHECK(std::abs(state.displacement(0) - std::cos(n * turn)) <= 1e-15 * 20 * n);
   }
-  CHECK(omega * dt / turn == doctest::Approx(1 + std::pow(omega * dt, 2) / 12).epsilon(1e-4));
+  CHECK(omega * dt / turn == about(1 + std::pow(omega * dt, 2) / 12).epsilon(1e-4));
 }
 
 TEST_CASE("a damped, driven oscillation converges with order 2") {
@@ -52,7 +53,7 @@ TEST_CASE("a damped, driven oscillation converges with order 2") {
     error.push_back(std::abs(state.displacement(0) - exact));
   }
   for (std::size_t i = 0; i + 1 < error.size(); ++i)
-    CHECK(std::log2(error[i] / error[i + 1]) == doctest::Approx(2).epsilon(0.05));
+    CHECK(std::log2(error[i] / error[i + 1]) == about(2).epsilon(0.05));
   CHECK(error.back() > 1e-9);
 }
 
@@ -73,10 +74,10 @@ TEST_CASE("a free body keeps its momentum, and its energy is the work done on it
     before = force;
   }
   const double momentum = (body.mass * state.velocity).sum();
-  CHECK(momentum == doctest::Approx(impulse).epsilon(1e-11));
+  CHECK(momentum == about(impulse).epsilon(1e-11));
   const double energy = 0.5 * state.velocity.dot(body.mass * state.velocity) +
                         0.5 * state.displacement.dot(body.stiffness * state.displacement);
-  CHECK(energy == doctest::Approx(work).epsilon(1e-11));
+  CHECK(energy == about(work).epsilon(1e-11));
 }
 
 TEST_CASE("a nonlinear spring: equilibrium at the end of each step, order 2, and the linear force needs no more") {
@@ -87,7 +88,7 @@ TEST_CASE("a nonlinear spring: equilibrium at the end of each step, order 2, and
     Newmark newmark(oscillator(1, 1), cubic, 3.0 / steps);
     MotionState state{2 * one, none, none};
     newmark.set_load(state, none);
-    CHECK(state.acceleration(0) == doctest::Approx(-10));
+    CHECK(state.acceleration(0) == about(-10));
     for (int n = 0; n < steps; ++n) {
       CHECK(newmark.advance(state, none) <= 20);
       const double u = state.displacement(0);
@@ -97,7 +98,7 @@ TEST_CASE("a nonlinear spring: equilibrium at the end of each step, order 2, and
   }
   const double limit = end[4] + (end[4] - end[3]) / 3;
   for (std::size_t i = 0; i + 2 < end.size(); ++i)
-    CHECK(std::log2((end[i] - limit) / (end[i + 1] - limit)) == doctest::Approx(2).epsilon(0.05));
+    CHECK(std::log2((end[i] - limit) / (end[i + 1] - limit)) == about(2).epsilon(0.05));
 
   const Structure body = rod(10);
   Newmark linear(body, 1e-6), hooked(body, linear_internal_force(body.stiffness), 1e-6);

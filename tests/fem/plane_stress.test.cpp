@@ -1,4 +1,5 @@
 #include "fem/elements/plane_stress.hpp"
+#include "tests/support/about.hpp"
 
 #include <doctest/doctest.h>
 
@@ -65,7 +66,7 @@ TEST_CASE("plane_stress: the patch test, constant strain on a distorted element 
       Eigen::Matrix3d d;
       d << 1, nu, 0, nu, 1, 0, 0, 0, (1 - nu) / 2;
       const double density = e / (1 - nu * nu) * strain.dot(d * strain);
-      CHECK(u.dot(k * u) == doctest::Approx(density * t * area(distorted())).epsilon(1e-12));
+      CHECK(u.dot(k * u) == about(density * t * area(distorted())).epsilon(1e-12));
       // Forces of the two kinds agree: the incompatible modes stay at rest.
       const QuadrilateralMatrix other = plane_stress_stiffness(distorted(), material, t, Quadrilateral::bilinear);
       CHECK((k * u - other * u).norm() < 1e-12 * (other * u).norm());
@@ -85,10 +86,10 @@ TEST_CASE("plane_stress: a rectangle in pure bending, exact with incompatible mo
   // Curvature κ = 4/(lh) with u = ±1 = κ(l/2)(h/2): 2·energy = EIκ²l.
   const double kappa = 4 / (l * h);
   const double exact = e * t * h * h * h / 12 * kappa * kappa * l;
-  CHECK(energy(Quadrilateral::incompatible) == doctest::Approx(exact).epsilon(1e-12));
+  CHECK(energy(Quadrilateral::incompatible) == about(exact).epsilon(1e-12));
   // Shear locking of the plain element in closed form: 1/(1-ν²) + (1-ν)/(2(1-ν²))·(l/h)².
   CHECK(energy(Quadrilateral::bilinear) ==
-        doctest::Approx(exact * (1 + (1 - nu) / 2 * l * l / (h * h)) / (1 - nu * nu)).epsilon(1e-12));
+        about(exact * (1 + (1 - nu) / 2 * l * l / (h * h)) / (1 - nu * nu)).epsilon(1e-12));
 }
 
 TEST_CASE("plane_stress: masses weigh the element, about its centre too") {
@@ -96,14 +97,14 @@ TEST_CASE("plane_stress: masses weigh the element, about its centre too") {
   const double expected = 8000 * 0.02 * area(corners);
   const QuadrilateralMatrix m = plane_stress_consistent_mass(corners, 8000, 0.02);
   const Eigen::Vector4d nodal = plane_stress_lumped_mass(corners, 8000, 0.02);
-  CHECK(m.sum() == doctest::Approx(2 * expected));
-  CHECK(nodal.sum() == doctest::Approx(expected));
-  for (Eigen::Index i = 0; i < 4; ++i) CHECK(nodal(i) == doctest::Approx(m.row(2 * i).sum()));
+  CHECK(m.sum() == about(2 * expected));
+  CHECK(nodal.sum() == about(expected));
+  for (Eigen::Index i = 0; i < 4; ++i) CHECK(nodal(i) == about(m.row(2 * i).sum()));
   // A rectangle's: ρt·area/36 [4 2 1 2].
   const QuadrilateralMatrix r = plane_stress_consistent_mass(rectangle(3, 2), 5, 0.5);
-  CHECK(r(0, 0) == doctest::Approx(15 * 4.0 / 36));
-  CHECK(r(0, 2) == doctest::Approx(15 * 2.0 / 36));
-  CHECK(r(0, 4) == doctest::Approx(15 * 1.0 / 36));
+  CHECK(r(0, 0) == about(15 * 4.0 / 36));
+  CHECK(r(0, 2) == about(15 * 2.0 / 36));
+  CHECK(r(0, 4) == about(15 * 1.0 / 36));
   CHECK(r(0, 1) == 0);
 }
 

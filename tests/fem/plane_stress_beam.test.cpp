@@ -3,6 +3,7 @@
 #include "fem/explicit/central_difference.hpp"
 #include "lib/model/modal_model.hpp"
 #include "lib/numerics/roots.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/beams.hpp"
 
 #include <doctest/doctest.h>
@@ -76,14 +77,14 @@ TEST_CASE("plane_stress_beam: NAFEMS FV5, bending of a deep simply supported bea
     CAPTURE(n);
     const double exact = strip_frequency_Hz(deep_beam(), static_cast<int>(n) + 1, nafems[n]);
     const auto error = [&](std::size_t level) { return f[level][n] / exact - 1; };
-    CHECK(std::log2(error(0) / error(1)) == doctest::Approx(2).epsilon(0.05));
-    CHECK(std::log2(error(1) / error(2)) == doctest::Approx(2).epsilon(0.05));
-    CHECK(std::log(error(2) / error(3)) / std::log(1.5) == doctest::Approx(2).epsilon(0.05));
+    CHECK(std::log2(error(0) / error(1)) == about(2).epsilon(0.05));
+    CHECK(std::log2(error(1) / error(2)) == about(2).epsilon(0.05));
+    CHECK(std::log(error(2) / error(3)) / std::log(1.5) == about(2).epsilon(0.05));
     // Extrapolated by its order it is the strip's; which lies within 0.2 % of NAFEMS' value (a series for a thick
     // beam).
     const double extrapolated = f[3][n] + (f[3][n] - f[2][n]) / (1.5 * 1.5 - 1);
-    CHECK(extrapolated == doctest::Approx(exact).epsilon(5e-5));
-    CHECK(extrapolated == doctest::Approx(nafems[n]).epsilon(2e-3));
+    CHECK(extrapolated == about(exact).epsilon(5e-5));
+    CHECK(extrapolated == about(nafems[n]).epsilon(2e-3));
   }
 }
 
@@ -94,7 +95,7 @@ TEST_CASE("plane_stress_beam: plain elements bend too stiffly, incompatible ones
   const double bent = bending_frequencies_Hz(beam, plane_stress(0.01), 26, 1).front();
   CHECK(plain / exact > 1.05);
   // Shear and rotary inertia lower the first frequency by ½(π h/L)²(1 + 2(1+ν)/κ)/12 = 0.7 %.
-  CHECK(bent / exact == doctest::Approx(0.993).epsilon(0.003));
+  CHECK(bent / exact == about(0.993).epsilon(0.003));
 }
 
 TEST_CASE("plane_stress_beam: the patch presses with its whole force, wherever it lies on the mesh") {
@@ -102,14 +103,13 @@ TEST_CASE("plane_stress_beam: the patch presses with its whole force, wherever i
     Beam beam = beams::timoshenko(BeamSupports::free, {at});
     for (const double patch : {0.0005, 0.006, 0.02}) {
       const Structure body = beam_structure(beam, plane_stress(patch), {25, 3, MassMatrix::lumped});
-      CHECK(body.contacts.sum() == doctest::Approx(-1).epsilon(1e-13));
+      CHECK(body.contacts.sum() == about(-1).epsilon(1e-13));
       // Its moment about ξ = 0: nodes of the top face are every fourth node from the third.
       double moment = 0;
       for (Eigen::Index i = 0; i <= 25; ++i)
         moment -= body.contacts(2 * (4 * i + 3) + 1, 0) * static_cast<double>(i) / 25;
-      CHECK(moment == doctest::Approx(at).epsilon(1e-12));
-      CHECK(body.wave_admittance(0, 0) ==
-            doctest::Approx(1 / (std::sqrt(215.75e9 * 7960 / 0.91) * patch * 0.01)).epsilon(1e-12));
+      CHECK(moment == about(at).epsilon(1e-12));
+      CHECK(body.wave_admittance(0, 0) == about(1 / (std::sqrt(215.75e9 * 7960 / 0.91) * patch * 0.01)).epsilon(1e-12));
     }
   }
 }
@@ -123,7 +123,7 @@ TEST_CASE("plane_stress_beam: a slender beam under a wide patch yields like Eule
                                                                                            : 1.0 / 24);
     // Shear adds 2.6·1.2·4·(h/L)²·(1 to 4) < 0.5 %, clamped ends that cannot swell take 0.3 %.
     CHECK(static_flexibility(beam_structure(beam, plane_stress(beam.height_m), {200, 2, MassMatrix::lumped})) ==
-          doctest::Approx(exact).epsilon(6e-3));
+          about(exact).epsilon(6e-3));
   }
 }
 

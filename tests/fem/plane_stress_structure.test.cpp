@@ -1,6 +1,7 @@
 #include "fem/bodies/plane_stress_structure.hpp"
 
 #include "lib/model/modal_model.hpp"
+#include "tests/support/about.hpp"
 
 #include <doctest/doctest.h>
 
@@ -42,8 +43,8 @@ TEST_CASE("plane_stress_structure: NAFEMS FV32, the rows of the plain bilinear e
   const Eigen::VectorXd by_16 = frequencies_Hz(tapered(16, 8, Quadrilateral::bilinear), 6);
   const Eigen::VectorXd by_32 = frequencies_Hz(tapered(32, 16, Quadrilateral::bilinear), 6);
   for (Eigen::Index i = 0; i < 6; ++i) {
-    CHECK(by_16(i) == doctest::Approx(coarse(i)).epsilon(1e-4));
-    CHECK(by_32(i) == doctest::Approx(fine(i)).epsilon(1e-4));
+    CHECK(by_16(i) == about(coarse(i)).epsilon(1e-4));
+    CHECK(by_32(i) == about(fine(i)).epsilon(1e-4));
   }
 }
 
@@ -70,7 +71,7 @@ TEST_CASE("plane_stress_structure: a free sheet weighs what it weighs, with eith
     sheet.held.clear();
     sheet.mass = mass;
     const Structure body = plane_stress_structure(sheet, Eigen::MatrixXd::Zero(2 * sheet.mesh.node_count(), 1));
-    CHECK(body.mass.sum() == doctest::Approx(2 * 8000 * 0.05 * 30).epsilon(1e-13));
+    CHECK(body.mass.sum() == about(2 * 8000 * 0.05 * 30).epsilon(1e-13));
     CHECK(body.mass.nonZeros() == (mass == MassMatrix::lumped ? body.mass.rows() : body.mass.nonZeros()));
     const ModalModel model = modal_model(body, {.mode_count = 4});
     CHECK(model.angular_frequency.head(3).isZero(0));

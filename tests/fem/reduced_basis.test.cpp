@@ -1,5 +1,6 @@
 #include "fem/reduced_basis/reduced_basis.hpp"
 
+#include "tests/support/about.hpp"
 #include "tests/support/chain.hpp"
 #include "tests/support/shells.hpp"
 
@@ -31,8 +32,7 @@ TEST_CASE("Ritz vectors are M-orthonormal and begin with the static answer") {
   CHECK((basis.vectors.transpose() * body.mass * basis.vectors - MatrixXd::Identity(40, 40)).norm() <= 1e-11);
   const VectorXd seen = basis.vectors.transpose() * body.contacts.col(0);
   const VectorXd answer = shells::linear_solution(shell, body.contacts.col(0));
-  CHECK(seen.dot(basis.stiffness.ldlt().solve(seen)) ==
-        doctest::Approx(body.contacts.col(0).dot(answer)).epsilon(1e-10));
+  CHECK(seen.dot(basis.stiffness.ldlt().solve(seen)) == about(body.contacts.col(0).dot(answer)).epsilon(1e-10));
 }
 
 TEST_CASE("modes are M-orthonormal, and flexural ones move along the normal") {
@@ -150,8 +150,8 @@ TEST_CASE("Ritz vectors against modes: errors of a stepped beam as tabulated, de
     const SteppedBeam& beam = row.at == 0.5 ? centre : quarter;
     const auto error = row.ritz ? beam.ritz_error(row.count) : beam.modal_error(static_cast<Eigen::Index>(row.count));
     // Two digits are printed, so that five percent is their rounding.
-    CHECK(error.deflection == doctest::Approx(row.deflection).epsilon(0.05));
-    CHECK(error.moment == doctest::Approx(row.moment).epsilon(0.05));
+    CHECK(error.deflection == about(row.deflection).epsilon(0.05));
+    CHECK(error.moment == about(row.moment).epsilon(0.05));
   }
   CHECK(quarter.ritz_error(3).deflection > quarter.modal_error(3).deflection);  // few Ritz vectors off the centre lose
   CHECK(quarter.ritz_error(4).moment < quarter.modal_error(4).moment);          // moments gain from the fourth on

@@ -1,6 +1,7 @@
 #include "fem/shell/shell.hpp"
 
 #include "lib/model/modal_model.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/shells.hpp"
 
 #include <doctest/doctest.h>
@@ -78,7 +79,7 @@ TEST_CASE("the internal force is the derivative of the energy, and the tangent t
     return (shell.internal(z + e * direction).energy_J - shell.internal(z - e * direction).energy_J) / (2 * e);
   };
   const double work = shell.internal(z).force.dot(direction);
-  CHECK(work == doctest::Approx((4 * energy_slope(5e-4) - energy_slope(1e-3)) / 3).epsilon(1e-10));
+  CHECK(work == about((4 * energy_slope(5e-4) - energy_slope(1e-3)) / 3).epsilon(1e-10));
 }
 
 TEST_CASE("the energy is a quartic polynomial of the displacement") {
@@ -141,7 +142,7 @@ TEST_CASE("patch test: any constant state of plane strain and of curvature is ex
     Matrix6d c;
     const Laminate laminate = general_laminate();
     c << laminate.extension, laminate.coupling, laminate.coupling, laminate.bending;
-    CHECK(z.dot(stiffness * z) == doctest::Approx(0.06 * strain.dot(c * strain)).epsilon(1e-12));
+    CHECK(z.dot(stiffness * z) == about(0.06 * strain.dot(c * strain)).epsilon(1e-12));
     // No force on any degree of freedom that no edge touches.
     const VectorXd force = stiffness * z;
     double inner = 0;
@@ -171,7 +172,7 @@ TEST_CASE(
     errors.push_back(std::abs(0.5 * z.dot(shell.tangent(rest(shell)) * z) / exact - 1));
   }
   for (std::size_t i = 1; i < errors.size(); ++i)
-    CHECK(std::log2(errors[i - 1] / errors[i]) == doctest::Approx(4).epsilon(0.1 / 4));
+    CHECK(std::log2(errors[i - 1] / errors[i]) == about(4).epsilon(0.1 / 4));
 }
 
 TEST_CASE("the mass is the panel's, and a rigid motion has its kinetic energy") {
@@ -182,7 +183,7 @@ TEST_CASE("the mass is the panel's, and a rigid motion has its kinetic energy") 
   for (int k = 0; k < 3; ++k) {
     const VectorXd shifted = motion_of(shell, Eigen::Matrix3d::Identity(), Vector3d::Unit(k));
     // The interpolated arc differs from the true one by the fourth power of an element's 0.15 rad, times 1/720.
-    CHECK(shifted.dot(mass * shifted) == doctest::Approx(2700 * h * 0.06).epsilon(1e-6));
+    CHECK(shifted.dot(mass * shifted) == about(2700 * h * 0.06).epsilon(1e-6));
   }
 }
 
@@ -192,12 +193,12 @@ TEST_CASE("a functional reads the displacement at a point, and a uniform load wo
   const PanelPoint point{0.123, 0.077};
   const Vector3d direction(0.2, -0.5, 1);
   CHECK(shell.displacement_functional(point, direction).dot(z) ==
-        doctest::Approx(direction.dot(shell.displacement(z, point))).epsilon(1e-13));
+        about(direction.dot(shell.displacement(z, point))).epsilon(1e-13));
   const VectorXd shifted = motion_of(shell, Eigen::Matrix3d::Identity(), direction);
   const double area =
       shifted.dot(shell.mass() * shifted) / direction.squaredNorm() / shell.panel().laminate.mass_kg_per_m2;
   CHECK(shell.uniform_load(Vector3d(3, 4, 5)).dot(shifted) ==
-        doctest::Approx(area * direction.dot(Vector3d(3, 4, 5))).epsilon(1e-13));
+        about(area * direction.dot(Vector3d(3, 4, 5))).epsilon(1e-13));
 }
 
 TEST_CASE("a free curved panel has six rigid-body modes") {
@@ -213,10 +214,10 @@ TEST_CASE("shell: a panel that nothing holds flies as its mass, along the normal
   const Structure body = shell_structure(shell, {{0.1, 0.05}, {0.05, 0.02}});
   const Eigen::VectorXd& r = body.translation;
   REQUIRE(r.size() == shell.size());
-  CHECK(body.contacts.col(0).dot(r) == doctest::Approx(1).epsilon(1e-12));
+  CHECK(body.contacts.col(0).dot(r) == about(1).epsilon(1e-12));
   // The other normal is turned against the first by the arc between them.
-  CHECK(body.contacts.col(1).dot(r) == doctest::Approx(std::cos(0.03 / 0.15)).epsilon(1e-4));
-  CHECK(r.dot(body.mass * r) == doctest::Approx(2700 * 2e-3 * shell.area_m2()).epsilon(1e-12));
+  CHECK(body.contacts.col(1).dot(r) == about(std::cos(0.03 / 0.15)).epsilon(1e-4));
+  CHECK(r.dot(body.mass * r) == about(2700 * 2e-3 * shell.area_m2()).epsilon(1e-12));
   const Eigen::VectorXd force = body.stiffness * r;
   CHECK(force.cwiseAbs().maxCoeff() <= 1e-12 * body.stiffness.diagonal().maxCoeff());
   CHECK(shell_structure(Shell(shells::panel(shape, shells::isotropic(70e9, 0.3, 2e-3, 2700), "FFFC", 3, 2)),

@@ -1,6 +1,7 @@
 #include "fem/shell/shell_kernel.hpp"
 
 #include "fem/shell/shell_geometry.hpp"
+#include "tests/support/about.hpp"
 
 #include <doctest/doctest.h>
 
@@ -66,7 +67,7 @@ TEST_CASE("every kernel that this machine can run gives the energy of the defini
   for (std::size_t lane = 0; lane < shell_lanes; ++lane) expected += plain_energy(batch, lane);
   for (const ShellKernel kernel : {ShellKernel{shell_kernel_baseline}, fastest_shell_kernel()})
     CHECK(kernel(batch.geometry.data(), batch.coefficients.data(), batch.forces.data()) ==
-          doctest::Approx(expected).epsilon(1e-12));
+          about(expected).epsilon(1e-12));
 }
 
 TEST_CASE("kernels agree in every force to rounding, and a force is the energy's derivative in its own lane") {
@@ -82,7 +83,7 @@ TEST_CASE("kernels agree in every force to rounding, and a force is the energy's
     return plain_energy(moved, 5);
   };
   const double slope = (8 * (energy(1e-3) - energy(-1e-3)) - energy(2e-3) + energy(-2e-3)) / 12e-3;
-  CHECK(plain[index] == doctest::Approx(slope).epsilon(1e-9));
+  CHECK(plain[index] == about(slope).epsilon(1e-9));
 }
 
 }  // namespace

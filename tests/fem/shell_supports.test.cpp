@@ -1,5 +1,6 @@
 #include "fem/shell/shell_supports.hpp"
 
+#include "tests/support/about.hpp"
 #include "tests/support/shells.hpp"
 
 #include <doctest/doctest.h>
@@ -68,7 +69,7 @@ TEST_CASE("between its nodes a turning condition holds to order 4") {
     const VectorXd z = shell.restrained(values);
     CHECK((shell.nodal_values(z) - values).norm() <= 1e-11 * values.norm());
     const double error = std::abs(in_surface_axes(shell, z, {0.3, 0.1 + 0.1 / static_cast<double>(count)})(0));
-    if (count > 2) CHECK(std::log2(before / error) == doctest::Approx(4).epsilon(0.1));
+    if (count > 2) CHECK(std::log2(before / error) == about(4).epsilon(0.1));
     before = error;
   }
 }

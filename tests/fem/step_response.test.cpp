@@ -1,6 +1,7 @@
 #include "fem/implicit/step_response.hpp"
 
 #include "fem/bodies/bar_structure.hpp"
+#include "tests/support/about.hpp"
 
 #include <doctest/doctest.h>
 
@@ -38,7 +39,7 @@ TEST_CASE("the response of an oscillator to a unit step converges with order 2, 
     error.push_back(worst);
   }
   for (std::size_t i = 0; i + 1 < error.size(); ++i)
-    CHECK(std::log2(error[i] / error[i + 1]) == doctest::Approx(2).epsilon(0.05));
+    CHECK(std::log2(error[i] / error[i + 1]) == about(2).epsilon(0.05));
 }
 
 TEST_CASE("a mode too stiff for the step stays on its static displacement instead of ringing") {
@@ -50,7 +51,7 @@ TEST_CASE("a mode too stiff for the step stays on its static displacement instea
   body.contacts = Eigen::MatrixXd::Ones(1, 1);
   body.outputs.resize(1, 0);
   const auto u = step_displacements(body, grid_over(1, 0.1));
-  for (std::size_t n = 1; n < u[0].size(); ++n) CHECK(u[0][n] == doctest::Approx(1e-12).epsilon(1e-9));
+  for (std::size_t n = 1; n < u[0].size(); ++n) CHECK(u[0][n] == about(1e-12).epsilon(1e-9));
 }
 
 TEST_CASE("contacts are reciprocal and momentum is that of the load; the observer sees the same motion") {
@@ -67,8 +68,8 @@ TEST_CASE("contacts are reciprocal and momentum is that of the load; the observe
   CHECK(calls == 2 * grid.size);
   CHECK(last == u[3].back());
   for (std::size_t n = 0; n < grid.size; ++n) {
-    CHECK(u[1][n] == doctest::Approx(u[2][n]).epsilon(1e-9));
-    CHECK(u[0][n] == doctest::Approx(u[3][n]).epsilon(1e-9));
+    CHECK(u[1][n] == about(u[2][n]).epsilon(1e-9));
+    CHECK(u[0][n] == about(u[3][n]).epsilon(1e-9));
   }
 }
 

@@ -1,5 +1,6 @@
 #include "impulse/exact/bar_modes.hpp"
 
+#include "tests/support/about.hpp"
 #include "tests/support/bars.hpp"
 
 #include <doctest/doctest.h>
@@ -19,10 +20,10 @@ TEST_CASE("bar_modes: a cylinder's frequencies and participations in closed form
     for (Eigen::Index n = 0; n < 200; ++n) {
       const double expected =
           far_end == FarEnd::free ? pi * static_cast<double>(n) / tau : pi * (static_cast<double>(n) + 0.5) / tau;
-      CHECK(model.angular_frequency(n) == doctest::Approx(expected).epsilon(1e-12));
-      CHECK(std::pow(model.participation(n, 0), 2) == doctest::Approx((expected == 0 ? 1 : 2) / m).epsilon(1e-12));
+      CHECK(model.angular_frequency(n) == about(expected).epsilon(1e-12));
+      CHECK(std::pow(model.participation(n, 0), 2) == about((expected == 0 ? 1 : 2) / m).epsilon(1e-12));
     }
-    CHECK(model.wave_admittance(0, 0) == doctest::Approx(1 / face_impedance_kg_per_s(bar.profile, Face::a)));
+    CHECK(model.wave_admittance(0, 0) == about(1 / face_impedance_kg_per_s(bar.profile, Face::a)));
   }
 }
 
@@ -55,7 +56,7 @@ TEST_CASE("bar_modes: participations of a composite chain add up to its static f
     };
     // The rest of the series falls as 1/count: extrapolate it away.
     const double extrapolated = 2 * sum(4000) - sum(2000);
-    CHECK(extrapolated == doctest::Approx(flexibility).epsilon(1e-6));
+    CHECK(extrapolated == about(flexibility).epsilon(1e-6));
   }
 }
 
@@ -68,8 +69,8 @@ TEST_CASE("bar_modes: no mode is missed between very unlike segments") {
   const double alone = pi / travel_time_s({bar.profile[0]});
   for (Eigen::Index n = 2; n + 1 < 21; n += 2) {
     const double expected = alone * static_cast<double>(n) / 2;
-    CHECK(model.angular_frequency(n) == doctest::Approx(expected).epsilon(1e-3));
-    CHECK(model.angular_frequency(n + 1) == doctest::Approx(expected).epsilon(1e-3));
+    CHECK(model.angular_frequency(n) == about(expected).epsilon(1e-3));
+    CHECK(model.angular_frequency(n + 1) == about(expected).epsilon(1e-3));
   }
   // A free bar seen from both ends: into the body at B is against the axis.
   CHECK(model.participation(0, 0) == -model.participation(0, 1));

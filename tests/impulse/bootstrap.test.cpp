@@ -1,6 +1,7 @@
 #include "impulse/measured/bootstrap.hpp"
 
 #include "impulse/measured/response_estimate.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/records.hpp"
 #include "tests/support/struck_structures.hpp"
 
@@ -38,8 +39,8 @@ TEST_CASE("bootstrap: of a mean of five, its variance s²/5 without bias, not th
   const std::vector<InputOutput> records = numbers({1, 2, 4, 7, 11});
   const auto deviations = bootstrap_deviations(records, {.resamples = 10000, .seed = 3}, mean);
   // Σ(x - 5)² = 66, so s² = 16.5. 10000 resamples tell a variance to 1.4 %.
-  CHECK(covariance(deviations, 0, 0) == doctest::Approx(16.5 / 5).epsilon(0.05));
-  CHECK(covariance(deviations, 0, 1) == doctest::Approx(-2 * covariance(deviations, 0, 0)));
+  CHECK(covariance(deviations, 0, 0) == about(16.5 / 5).epsilon(0.05));
+  CHECK(covariance(deviations, 0, 1) == about(-2 * covariance(deviations, 0, 0)));
   double sum = 0;
   for (const auto& d : deviations) sum += d[0];
   CHECK(std::abs(sum) < 1e-9);
@@ -93,7 +94,7 @@ TEST_CASE("bootstrap: for every estimator, standard uncertainties are those with
       squares_b += b[n] * b[n];
     }
     // 400 resamples tell a standard uncertainty to 4 %, and errors along a record are alike.
-    CHECK(std::sqrt(squares_a / squares_b) == doctest::Approx(1).epsilon(one.tolerance));
+    CHECK(std::sqrt(squares_a / squares_b) == about(1).epsilon(one.tolerance));
   }
 }
 

@@ -5,6 +5,7 @@
 #include "impulse/response/mass_response.hpp"
 #include "impulse/response/modal_response.hpp"
 #include "impulse/response/wave_response.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/bars.hpp"
 #include "tests/support/direct_sums.hpp"
 #include "tests/support/two_delay_impact.hpp"
@@ -42,24 +43,24 @@ Response smooth_response(const UniformGrid& grid, double residual) {
 
 TEST_CASE("contact_equation: TCA, exact values to the digits known") {
   const ImpactHistory tca = by_waves(bars::cone(), bars::long_rod(), 1.16, grid_over(1.1e-3, 1e-6));
-  CHECK(tca.force_N[0] == doctest::Approx(1048.416001434).epsilon(1e-12));
+  CHECK(tca.force_N[0] == about(1048.416001434).epsilon(1e-12));
   const double expected[][2] = {
       {118e-6, 1516.266007}, {355e-6, 2216.869017}, {545e-6, 1047.522209}, {782e-6, 672.485290}};
   // Δt²F''/6 and what the jump's samples leave behind: at most 5e-6.
-  for (const auto& [time, force] : expected) CHECK(sample(tca, time) == doctest::Approx(force).epsilon(5e-6));
+  for (const auto& [time, force] : expected) CHECK(sample(tca, time) == about(force).epsilon(5e-6));
   CHECK(tca.separated);
-  CHECK(tca.contact_end_s == doctest::Approx(947.851935e-6).epsilon(2e-6));
-  CHECK(impulse_Ns(tca) == doctest::Approx(1.287913769).epsilon(5e-6));
+  CHECK(tca.contact_end_s == about(947.851935e-6).epsilon(2e-6));
+  CHECK(impulse_Ns(tca) == about(1.287913769).epsilon(5e-6));
   // The peak is a left limit at 512.696 µs; two samples before the jump the force is known in closed form.
   double peak = 0;
   const Segment cone = bars::cone().profile.front();
   const Segment rod = bars::long_rod().profile.front();
   for (std::size_t k = 0; k + 2 <= 512; ++k) {
     const double exact = cone_on_bar_force_N(cone, rod, 1.16, tca.grid.time_s(k));
-    CHECK(tca.force_N[k] == doctest::Approx(exact).epsilon(3e-6));
+    CHECK(tca.force_N[k] == about(exact).epsilon(3e-6));
     peak = std::max(peak, tca.force_N[k]);
   }
-  CHECK(cone_on_bar_force_N(cone, rod, 1.16, 512.6960e-6) == doctest::Approx(2550.131311).epsilon(1e-7));
+  CHECK(cone_on_bar_force_N(cone, rod, 1.16, 512.6960e-6) == about(2550.131311).epsilon(1e-7));
 }
 
 TEST_CASE("contact_equation: order 2 in the step, before and after a jump between samples") {
@@ -89,10 +90,10 @@ TEST_CASE("contact_equation: CCA and CCB are the exact staircases, five samples 
     const Profile seen = face == Face::a ? projectile.profile : reversed(projectile.profile);
     const auto jumps = two_delays::jumps(seen, z, speed, 1.1e-3);
     if (face == Face::a) {
-      CHECK(jumps[0].second == doctest::Approx(910.024091056).epsilon(1e-11));
-      CHECK(jumps[1].first == doctest::Approx(160.217486e-6).epsilon(1e-8));
-      CHECK(jumps[1].second == doctest::Approx(957.576).epsilon(1e-6));
-      CHECK(jumps[2].second == doctest::Approx(-393.342).epsilon(1e-5));
+      CHECK(jumps[0].second == about(910.024091056).epsilon(1e-11));
+      CHECK(jumps[1].first == about(160.217486e-6).epsilon(1e-8));
+      CHECK(jumps[1].second == about(957.576).epsilon(1e-6));
+      CHECK(jumps[2].second == about(-393.342).epsilon(1e-5));
     }
     const ImpactHistory history = by_waves(projectile, bars::long_rod(), speed, grid_over(900e-6, 1e-6));
     double difference = 0, norm = 0, largest_far = 0, peak = 0, exact_peak = 0;
@@ -111,34 +112,34 @@ TEST_CASE("contact_equation: CCA and CCB are the exact staircases, five samples 
     CHECK(std::sqrt(difference / norm) < 1e-3);
     CHECK(largest_far <
           1e-7 * jumps[0].second);  // what a jump spoils spreads by a sample with each echo, and dies away
-    CHECK(peak == doctest::Approx(exact_peak).epsilon(1e-9));
+    CHECK(peak == about(exact_peak).epsilon(1e-9));
   }
   CHECK(impulse_Ns(by_waves(bars::composite(), bars::long_rod(), 0.92, grid_over(1e-3, 1e-6))) ==
-        doctest::Approx(0.825925167).epsilon(1e-4));
+        about(0.825925167).epsilon(1e-4));
   CHECK(impulse_Ns(by_waves(bars::composite(), bars::long_rod(), 0.92, grid_over(1e-3, 1e-7))) ==
-        doctest::Approx(0.825925167).epsilon(1e-5));
+        about(0.825925167).epsilon(1e-5));
 }
 
 TEST_CASE("contact_equation: St Venant's rods") {
   const Bar long_rod = bars::long_rod();
   const double z = face_impedance_kg_per_s(long_rod.profile, Face::a);
   const ImpactHistory on_long = by_waves(bars::steel_rod(0.5), long_rod, 1, grid_over(400e-6, 0.05e-6));
-  CHECK(sample(on_long, 100e-6) == doctest::Approx(1572.1113183).epsilon(1e-10));
-  CHECK(on_long.force_N[0] == doctest::Approx(z / 2).epsilon(1e-12));
-  CHECK(on_long.contact_end_s == doctest::Approx(194.3373106e-6).epsilon(1e-3));
+  CHECK(sample(on_long, 100e-6) == about(1572.1113183).epsilon(1e-10));
+  CHECK(on_long.force_N[0] == about(z / 2).epsilon(1e-12));
+  CHECK(on_long.contact_end_s == about(194.3373106e-6).epsilon(1e-3));
   for (double shorter : {0.2, 0.3, 0.4}) {
     CAPTURE(shorter);
     const Bar short_rod = bars::steel_rod(shorter);
     const ImpactHistory history = by_waves(short_rod, bars::steel_rod(0.4), 1, grid_over(400e-6, 0.02e-6));
     const double round_trip = 2 * travel_time_s(short_rod.profile);
-    CHECK(sample(history, 0.5 * round_trip) == doctest::Approx(z / 2).epsilon(1e-9));
-    CHECK(history.contact_end_s == doctest::Approx(round_trip).epsilon(1e-3));
+    CHECK(sample(history, 0.5 * round_trip) == about(z / 2).epsilon(1e-9));
+    CHECK(history.contact_end_s == about(round_trip).epsilon(1e-3));
     // The short rod stops; restitution, the ratio of relative speeds after and before, is L1/L2.
     const double impulse = impulse_Ns(history);
     const double rebound = 1 - impulse / mass_kg(short_rod.profile);
     const double restitution = impulse / mass_kg(bars::steel_rod(0.4).profile) - rebound;
     CHECK(std::abs(rebound) < 1e-3);
-    CHECK(restitution == doctest::Approx(shorter / 0.4).epsilon(1e-3));
+    CHECK(restitution == about(shorter / 0.4).epsilon(1e-3));
   }
 }
 
@@ -148,11 +149,11 @@ TEST_CASE("contact_equation: a release that is a jump keeps its impulse, on a sa
   const double exact = mass_kg(bar.profile);  // equal rods exchange their speeds
   for (double steps : {8.0, 64.0, 1000.0}) {
     const ImpactHistory history = by_waves(bar, bar, 1, grid_over(1.5 * round_trip, round_trip / steps));
-    CHECK(impulse_Ns(history) == doctest::Approx(exact).epsilon(1e-11));
+    CHECK(impulse_Ns(history) == about(exact).epsilon(1e-11));
   }
   for (double steps : {80.3, 800.7}) {
     const ImpactHistory history = by_waves(bar, bar, 1, grid_over(1.5 * round_trip, round_trip / steps));
-    CHECK(impulse_Ns(history) == doctest::Approx(exact).epsilon(1 / steps));
+    CHECK(impulse_Ns(history) == about(exact).epsilon(1 / steps));
   }
 }
 
@@ -165,7 +166,7 @@ TEST_CASE("contact_equation: a rigid mass on a long rod decays as exp(-Zt/m)") {
   // (Δt Z/m)²/6 = 7e-6; the last sample is extrapolated.
   for (std::size_t k = 0; k < grid.size; ++k)
     CHECK(history.force_N[k] ==
-          doctest::Approx(2 * z * std::exp(-z * grid.time_s(k) / 0.5)).epsilon(k + 1 < grid.size ? 1e-5 : 3e-5));
+          about(2 * z * std::exp(-z * grid.time_s(k) / 0.5)).epsilon(k + 1 < grid.size ? 1e-5 : 3e-5));
   CHECK_FALSE(history.separated);
   CHECK(history.contact_end_s == grid.duration_s());
 }
@@ -204,7 +205,7 @@ TEST_CASE("contact_equation: the thesis' method, exact modes up to the Nyquist f
   const UniformGrid grid = grid_over(1e-3, 0.9478e-6);
   const ImpactHistory tca =
       solve_contact(modal(bars::cone(), grid), modal(bars::long_rod(), grid), {1.16}, ContactMethod::trapezoidal);
-  CHECK(impulse_Ns(tca) == doctest::Approx(1.287913769).epsilon(3e-4));
+  CHECK(impulse_Ns(tca) == about(1.287913769).epsilon(3e-4));
 }
 
 TEST_CASE("contact_equation: the solvers agree with forward substitution on smooth kernels") {

@@ -2,6 +2,7 @@
 
 #include "impulse/contact/contact_equation.hpp"
 #include "impulse/response/wave_response.hpp"
+#include "tests/support/about.hpp"
 
 #include <doctest/doctest.h>
 
@@ -26,8 +27,8 @@ TEST_CASE("velocities and accelerations of a smooth displacement, order 2, H(0+)
     error_g.push_back(std::abs(response.pair(0, 0).impulse_response_per_kg[middle] + std::sin(1.0)));
   }
   for (std::size_t i = 0; i + 1 < error_h.size(); ++i) {
-    CHECK(std::log2(error_h[i] / error_h[i + 1]) == doctest::Approx(2).epsilon(0.05));
-    CHECK(std::log2(error_g[i] / error_g[i + 1]) == doctest::Approx(2).epsilon(0.05));
+    CHECK(std::log2(error_h[i] / error_h[i + 1]) == about(2).epsilon(0.05));
+    CHECK(std::log2(error_g[i] / error_g[i + 1]) == about(2).epsilon(0.05));
   }
 }
 

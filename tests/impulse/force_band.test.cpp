@@ -3,6 +3,7 @@
 #include "impulse/response/mass_response.hpp"
 #include "lib/contract/errors.hpp"
 #include "lib/numerics/student_t.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 #include <doctest/doctest.h>
@@ -32,7 +33,7 @@ MeasuredResponse measured(std::size_t degrees) {
 ForceOutcome outcome(const MeasuredResponse& body, std::mt19937_64& engine) {
   const Response drawn = drawn_response(body, engine);
   const double g = drawn.pairs[0].impulse_response_per_kg[3];
-  CHECK(drawn.pairs[0].step_displacement_m_per_N[4] == doctest::Approx(g * 8e-6));
+  CHECK(drawn.pairs[0].step_displacement_m_per_N[4] == about(g * 8e-6));
   return {{g, 2 * g}, g, 1 - g, g * g};
 }
 
@@ -47,12 +48,12 @@ TEST_CASE("force_band: quantiles of draws are those of Student's t about the est
     // Standard uncertainty 0.05 of 0.5; the quantile of 40000 draws is known to 1.5 % (one degree: 4 %).
     const double half = student_t_quantile(0.975, degrees == 0 ? 1e9 : static_cast<double>(degrees)) * 0.025;
     const double tolerance = degrees == 1 ? 0.12 : 0.04;
-    CHECK(band.peak_force_N.median == doctest::Approx(0.5).epsilon(0.003));
-    CHECK((band.peak_force_N.upper - 0.5) / half == doctest::Approx(1).epsilon(tolerance));
-    CHECK((0.5 - band.peak_force_N.lower) / half == doctest::Approx(1).epsilon(tolerance));
+    CHECK(band.peak_force_N.median == about(0.5).epsilon(0.003));
+    CHECK((band.peak_force_N.upper - 0.5) / half == about(1).epsilon(tolerance));
+    CHECK((0.5 - band.peak_force_N.lower) / half == about(1).epsilon(tolerance));
     CHECK(band.force_N.size() == 2);
-    CHECK(band.force_N[1].upper == doctest::Approx(2 * band.peak_force_N.upper));
-    CHECK(band.contact_duration_s.upper == doctest::Approx(1 - band.peak_force_N.lower));
+    CHECK(band.force_N[1].upper == about(2 * band.peak_force_N.upper));
+    CHECK(band.contact_duration_s.upper == about(1 - band.peak_force_N.lower));
   }
 }
 

@@ -1,6 +1,7 @@
 #include "impulse/measured/least_squares_kernel.hpp"
 
 #include "lib/contract/errors.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/direct_sums.hpp"
 #include "tests/support/records.hpp"
 
@@ -144,7 +145,7 @@ TEST_CASE("least_squares_kernel: its standard uncertainty is that of the bootstr
     ratio += std::sqrt(variance(n) * 8 / 7 / linearised) / 24;
   }
   // The bootstrap itself is known to 1/√8000, less for the mean over the samples.
-  CHECK(ratio == doctest::Approx(1).epsilon(0.03));
+  CHECK(ratio == about(1).epsilon(0.03));
 }
 
 TEST_CASE("least_squares_kernel: a constraint is met, by the kernel best under it") {
@@ -153,7 +154,7 @@ TEST_CASE("least_squares_kernel: a constraint is met, by the kernel best under i
   const EstimatedKernel kernel =
       least_squares_kernel(records, {.regularisation = 1e-3, .constraint = &constraint, .tolerance = 1e-10});
   const Eigen::VectorXd a = vector(constraint.weight);
-  CHECK(a.dot(vector(kernel.values)) == doctest::Approx(0.7).epsilon(1e-12));
+  CHECK(a.dot(vector(kernel.values)) == about(0.7).epsilon(1e-12));
   for (const auto& deviation : kernel.deviations) CHECK(std::abs(a.dot(vector(deviation))) < 1e-12);
   // The gradient is along the constraint: A x - b = μ a.
   const Dense dense(records, 1e-3);

@@ -4,6 +4,7 @@
 #include "impulse/response/modal_response.hpp"
 #include "impulse/response/response_csv.hpp"
 #include "impulse/response/wave_response.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/bars.hpp"
 #include "tests/support/records.hpp"
 #include "tests/support/temporary_directory.hpp"
@@ -54,7 +55,7 @@ TEST_CASE("measured_response: U of a rod comes back exactly, H from its right li
   const PairResponse back = response_of_kernel(kernel_of(exact, 1e-6), {1e-6, 390});
   CHECK(largest_error(back.step_displacement_m_per_N, {exact.step_displacement_m_per_N.begin(),
                                                        exact.step_displacement_m_per_N.begin() + 390}) < 1e-12);
-  CHECK(back.step_velocity_m_per_Ns[0] == doctest::Approx(exact.step_velocity_m_per_Ns[0]).epsilon(1e-9));
+  CHECK(back.step_velocity_m_per_Ns[0] == about(exact.step_velocity_m_per_Ns[0]).epsilon(1e-9));
 
   const ModalModel modes{Eigen::Vector3d(0, 2e3, 5e3), Eigen::Vector3d(0, 0.01, 0.02), Eigen::Vector3d(1, 1.2, 0.7),
                          Eigen::MatrixXd::Zero(1, 1), Eigen::MatrixXd::Zero(1, 1)};
@@ -81,7 +82,7 @@ TEST_CASE("measured_response: the rigid-body constraint sees 1/m, not the modes"
     return sum;
   };
   CHECK(constraint.value == 2.5);
-  CHECK(mean(mass_response(0.4, grid).pairs[0]) == doctest::Approx(2.5).epsilon(1e-10));
+  CHECK(mean(mass_response(0.4, grid).pairs[0]) == about(2.5).epsilon(1e-10));
   // T = 20 ms.
   for (double frequency : {170.0, 430.0, 1730.0, 9001.0}) {
     const ModalModel mode{Eigen::VectorXd::Constant(1, 2 * std::numbers::pi * frequency), Eigen::VectorXd::Zero(1),
@@ -97,8 +98,8 @@ TEST_CASE("measured_response: columns, with and without deviations") {
   const EstimatedKernel kernel{{1, 2, 3, 4}, {{0.3, 0, 0, 0.3}, {-0.4, 0, 0, -0.4}}, 1, 0};
   const MeasuredResponse measured = measured_response(kernel, {0.5, 4});
   const PairResponse std = measured.standard_uncertainty();
-  CHECK(std.impulse_response_per_kg[3] == doctest::Approx(0.5 / 0.5));
-  CHECK(std.step_displacement_m_per_N[1] == doctest::Approx(0.25));
+  CHECK(std.impulse_response_per_kg[3] == about(0.5 / 0.5));
+  CHECK(std.step_displacement_m_per_N[1] == about(0.25));
   const std::string path = folder / "r.csv";
   write_measured_response(path, measured, Members::yes);
   const CsvTable table = read_csv(path);

@@ -1,6 +1,7 @@
 #include "impulse/response/modal_coordinates.hpp"
 
 #include "impulse/response/modal_response.hpp"
+#include "tests/support/about.hpp"
 
 #include <doctest/doctest.h>
 
@@ -31,7 +32,7 @@ TEST_CASE("modal_coordinates: a step and a ramp give the step displacement and i
   const auto& u = response.pair(0, 0).step_displacement_m_per_N;
   for (std::size_t k = 0; k < grid.size; k += 7) {
     const double w = model.participation.col(0).dot(q.col(static_cast<Eigen::Index>(k))) + 1e-4;
-    CHECK(w == doctest::Approx(u[k]).epsilon(1e-11));
+    CHECK(w == about(u[k]).epsilon(1e-11));
   }
   // Under F = t the displacement is the integral of U; on a fine grid by Simpson's rule.
   UniformSeries ramp{grid, {}};
@@ -43,7 +44,7 @@ TEST_CASE("modal_coordinates: a step and a ramp give the step displacement and i
   for (std::size_t k = 0; k + 2 < fine_u.size(); k += 2)
     integral += fine.step_s / 3 * (fine_u[k] + 4 * fine_u[k + 1] + fine_u[k + 2]);
   const double last = model.participation.col(0).dot(r.col(399)) + 1e-4 * ramp.values.back();
-  CHECK(last == doctest::Approx(integral).epsilon(1e-8));
+  CHECK(last == about(integral).epsilon(1e-8));
 }
 
 TEST_CASE("modal_coordinates: refuses a contact that is not there") {

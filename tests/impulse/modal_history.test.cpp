@@ -2,6 +2,7 @@
 
 #include "impulse/contact/contacts_problem.hpp"
 #include "impulse/response/wave_response.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/bars.hpp"
 
 #include <doctest/doctest.h>
@@ -237,6 +238,6 @@ TEST_CASE("modal_history: an observer hears of the steps") {
   problem.progress = [&](double done) { heard.push_back(done); };
   static_cast<void>(solve_contacts(std::vector<ContactBody>{body, body}, grid, problem));
   REQUIRE(heard.size() == 4);
-  CHECK(heard.front() == doctest::Approx(1024.0 / 5000));
-  CHECK(heard.back() == doctest::Approx(4096.0 / 5000));
+  CHECK(heard.front() == about(1024.0 / 5000));
+  CHECK(heard.back() == about(4096.0 / 5000));
 }

@@ -3,6 +3,7 @@
 #include "impulse/measured/band_filter.hpp"
 #include "impulse/measured/exponential_subspace.hpp"
 #include "impulse/response/modal_response.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/records.hpp"
 
 #include <doctest/doctest.h>
@@ -108,11 +109,11 @@ TEST_CASE("mode_identification: a free body's mass, found or known") {
       identified_modes(response, {.highest_frequency_Hz = 3000, .rigid_body = RigidBody::free});
   REQUIRE(found.modes.mode_count() == 6);
   CHECK(found.modes.angular_frequency(0) == 0);
-  CHECK(found.modes.participation(0, 0) == doctest::Approx(0.8).epsilon(0.01));
+  CHECK(found.modes.participation(0, 0) == about(0.8).epsilon(0.01));
   const Identification known =
       identified_modes(response, {.highest_frequency_Hz = 3000, .rigid_body = RigidBody::known, .mass_kg = 1 / 0.64});
-  CHECK(known.modes.participation(0, 0) == doctest::Approx(0.8).epsilon(1e-12));
-  CHECK(known.modes.angular_frequency(3) == doctest::Approx(2 * pi * 973).epsilon(1e-4));
+  CHECK(known.modes.participation(0, 0) == about(0.8).epsilon(1e-12));
+  CHECK(known.modes.angular_frequency(3) == about(2 * pi * 973).epsilon(1e-4));
 }
 
 TEST_CASE("mode_identification: the residual flexibility is what U is short of") {
@@ -120,7 +121,7 @@ TEST_CASE("mode_identification: the residual flexibility is what U is short of")
   for (double& u : response.pairs[0].step_displacement_m_per_N) u += 3e-9;
   const Identification found =
       identified_modes(response, {.highest_frequency_Hz = 3000, .residual = IdentificationOptions::Residual::fitted});
-  CHECK(found.modes.residual_flexibility(0, 0) == doctest::Approx(3e-9).epsilon(1e-3));
+  CHECK(found.modes.residual_flexibility(0, 0) == about(3e-9).epsilon(1e-3));
 }
 
 TEST_CASE("mode_identification: the diagram has a stable line for every mode, and --modes limits the fit") {

@@ -1,4 +1,5 @@
 #include "impulse/exact/plate_statics.hpp"
+#include "tests/support/about.hpp"
 
 #include <doctest/doctest.h>
 
@@ -40,7 +41,7 @@ TEST_CASE("Lévy's single series is Navier's double one") {
       }
     const PlateStatics levy = simply_supported_plate_statics(plate, a, b, force, point);
     CAPTURE(layup);
-    CHECK(levy.deflection_m_per_N == doctest::Approx(w).epsilon(1e-6));
+    CHECK(levy.deflection_m_per_N == about(w).epsilon(1e-6));
     CHECK((levy.curvature_per_Nm - curvature).norm() < 1e-4 * curvature.norm());
   }
 }
@@ -50,13 +51,13 @@ TEST_CASE("an isotropic plate's equal roots: a square's middle under a force in 
   plate.bending << 1, 0.3, 0, 0.3, 1, 0, 0, 0, 0.35;
   // Timoshenko's 0.01160 P a²/D, approached from beside the force.
   CHECK(simply_supported_plate_statics(plate, 1, 1, {0.5, 0.5}, {0.5, 0.501}).deflection_m_per_N ==
-        doctest::Approx(0.01160).epsilon(1e-3));
+        about(0.01160).epsilon(1e-3));
   // A plate of two equal axes does not know which is which.
   const PlateStatics one = simply_supported_plate_statics(plate, 1, 1, {0.4, 0.3}, {0.7, 0.8});
   const PlateStatics other = simply_supported_plate_statics(plate, 1, 1, {0.3, 0.4}, {0.8, 0.7});
-  CHECK(one.deflection_m_per_N == doctest::Approx(other.deflection_m_per_N).epsilon(1e-7));
-  CHECK(one.curvature_per_Nm(0) == doctest::Approx(other.curvature_per_Nm(1)).epsilon(1e-6));
-  CHECK(one.curvature_per_Nm(2) == doctest::Approx(other.curvature_per_Nm(2)).epsilon(1e-6));
+  CHECK(one.deflection_m_per_N == about(other.deflection_m_per_N).epsilon(1e-7));
+  CHECK(one.curvature_per_Nm(0) == about(other.curvature_per_Nm(1)).epsilon(1e-6));
+  CHECK(one.curvature_per_Nm(2) == about(other.curvature_per_Nm(2)).epsilon(1e-6));
 }
 
 TEST_CASE("Navier's plate refuses what it isn't") {

@@ -1,4 +1,5 @@
 #include "impulse/bodies/point_singularity.hpp"
+#include "tests/support/about.hpp"
 
 #include <doctest/doctest.h>
 
@@ -32,8 +33,7 @@ TEST_CASE("an isotropic plate's singularity is r² ln r / 8πD, up to r²") {
   const auto same = [&](const Eigen::Vector2d& a, const Eigen::Vector2d& b) {
     const auto closed = [](const Eigen::Vector2d& x) { return x.squaredNorm() * std::log(x.norm()) / (16 * pi); };
     const double quadratic = singularity.at(a)(2, 0) - closed(a);
-    CHECK(quadratic / a.squaredNorm() ==
-          doctest::Approx((singularity.at(b)(2, 0) - closed(b)) / b.squaredNorm()).epsilon(1e-12));
+    CHECK(quadratic / a.squaredNorm() == about((singularity.at(b)(2, 0) - closed(b)) / b.squaredNorm()).epsilon(1e-12));
   };
   same({0.1, 0.2}, {2, -1});
   same({3, 0}, {0, 1e-3});
@@ -69,6 +69,6 @@ TEST_CASE("the singularity of any laminate is in equilibrium with a unit force, 
       CHECK(std::abs(r_x(2) + r_y(1)) < scale);
       pulled += 0.3 * 2 * pi / points * n.dot(Eigen::Vector2d(r_x(3) + r_y(5), r_x(5) + r_y(4)));
     }
-    CHECK(pulled == doctest::Approx(-1).epsilon(1e-5));  // the shear forces round a circle carry the force
+    CHECK(pulled == about(-1).epsilon(1e-5));  // the shear forces round a circle carry the force
   }
 }

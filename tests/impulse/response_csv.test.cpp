@@ -51,8 +51,7 @@ TEST_CASE("response_csv: modes of two contacts are read back, frequencies to rou
   const CsvTable table = read_csv(folder / "m.csv");
   CHECK(holds_modes(table));
   const ModalModel read = modes_from(table);
-  CHECK((read.angular_frequency - written.angular_frequency).norm() <=
-        1e-15 * written.angular_frequency.norm());
+  CHECK((read.angular_frequency - written.angular_frequency).norm() <= 1e-15 * written.angular_frequency.norm());
   CHECK(read.damping_ratio == written.damping_ratio);
   CHECK(read.participation == written.participation);
   CHECK(read.residual_flexibility == written.residual_flexibility);

@@ -3,6 +3,7 @@
 #include "impulse/response/mass_response.hpp"
 #include "impulse/response/modal_response.hpp"
 #include "lib/numerics/student_t.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/records.hpp"
 
 #include <doctest/doctest.h>
@@ -93,8 +94,8 @@ TEST_CASE("response_estimate: an exponential window leaves its mark on the uncer
     const PairResponse uncertainty = found.standard_uncertainty();
     // The mean of 1 and 1.2, half their difference uncertain, from the beginning to e^4 later; 400 resamples: to 4 %.
     for (std::size_t n : {10u, 400u, 800u}) {
-      CHECK(found.response.pairs[0].impulse_response_per_kg[n] == doctest::Approx(1.1).epsilon(1e-9));
-      CHECK(uncertainty.impulse_response_per_kg[n] == doctest::Approx(0.1).epsilon(bootstrap ? 0.1 : 1e-6));
+      CHECK(found.response.pairs[0].impulse_response_per_kg[n] == about(1.1).epsilon(1e-9));
+      CHECK(uncertainty.impulse_response_per_kg[n] == about(0.1).epsilon(bootstrap ? 0.1 : 1e-6));
     }
   }
 }

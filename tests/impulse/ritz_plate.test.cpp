@@ -2,6 +2,7 @@
 
 #include "lib/model/modal_model.hpp"
 #include "lib/numerics/dense_algebra.hpp"
+#include "tests/support/about.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -63,7 +64,7 @@ TEST_CASE("a simply supported thin plate has Navier's frequencies and flexibilit
   std::ranges::sort(exact);
   const Eigen::VectorXd omega = frequencies(plate, 20);
   for (Eigen::Index i = 0; i < 12; ++i)  // 20 terms converge to rounding
-    CHECK(omega(i) == doctest::Approx(exact[static_cast<std::size_t>(i)]).epsilon(1e-9));
+    CHECK(omega(i) == about(exact[static_cast<std::size_t>(i)]).epsilon(1e-9));
   // The edge of a patch is a kink of the load: n^-4.
   const double radius = 0.3;
   double patch = 0;
@@ -74,7 +75,7 @@ TEST_CASE("a simply supported thin plate has Navier's frequencies and flexibilit
     }
   const RitzPlate ritz(plate, 20);
   const Eigen::VectorXd load = ritz.mean_deflection({0, 0}, radius);
-  CHECK(flexibility(ritz, load, load) == doctest::Approx(patch).epsilon(5e-5));
+  CHECK(flexibility(ritz, load, load) == about(patch).epsilon(5e-5));
 }
 
 TEST_CASE("Ritz frequencies fall towards their limits, without losing digits, and the matrices are well conditioned") {
@@ -169,7 +170,7 @@ TEST_CASE("shear deformation fades with the thickness, like its square") {
     const double thin = frequencies(plate_of(trapezoid, "[10/50/10]", h, Theory::thin, "CCCC"), 10, 1)(0);
     const double gap = 1 - shear / thin;
     CHECK(gap > 0);
-    if (h < 0.03) CHECK(std::log2(before / gap) == doctest::Approx(2).epsilon(0.15));
+    if (h < 0.03) CHECK(std::log2(before / gap) == about(2).epsilon(0.15));
     before = gap;
   }
 }
@@ -196,9 +197,9 @@ TEST_CASE("a patch averages the deflection, whatever the shape") {
     return w.colPivHouseholderQr().solve(values);
   };
   const Eigen::VectorXd a = coefficients(tilt), b = coefficients(parabola);
-  CHECK(patch.head(64).dot(a) == doctest::Approx(point.head(64).dot(a)).epsilon(1e-12));
+  CHECK(patch.head(64).dot(a) == about(point.head(64).dot(a)).epsilon(1e-12));
   // The mean of r² about the centre is R²/2.
-  CHECK(patch.head(64).dot(b) - point.head(64).dot(b) == doctest::Approx(0.005).epsilon(1e-9));
+  CHECK(patch.head(64).dot(b) - point.head(64).dot(b) == about(0.005).epsilon(1e-9));
   CHECK_THROWS_WITH((void)ritz.mean_deflection({0.9, 0}, 0.2), doctest::Contains("leaves the plate (an edge is 0.0"));
   CHECK_THROWS_WITH((void)ritz.mean_deflection({0, 0}, 0), doctest::Contains("is not positive and finite"));
 }
@@ -217,9 +218,9 @@ TEST_CASE("strains are the derivatives of the displacements") {
     const Eigen::Vector3d strain = ritz.strains({0.1, 0.1}, 0.0008).transpose() * u;
     const double tolerance =
         theory == Theory::thin ? 1e-4 : 2e-3;  // w has a share from shear that bends nothing, like (h/a)²
-    CHECK(strain(0) == doctest::Approx(-0.0008 * w_xx).epsilon(tolerance));
-    CHECK(strain(1) == doctest::Approx(-0.0008 * w_yy).epsilon(tolerance));
-    CHECK(strain(2) == doctest::Approx(-0.0016 * w_xy).epsilon(tolerance));
+    CHECK(strain(0) == about(-0.0008 * w_xx).epsilon(tolerance));
+    CHECK(strain(1) == about(-0.0008 * w_yy).epsilon(tolerance));
+    CHECK(strain(2) == about(-0.0016 * w_xy).epsilon(tolerance));
     CHECK_THROWS_WITH((void)ritz.strains({0, 0}, 0.0012), "z = 0.0012 m is outside the plate");
   }
 }
@@ -234,7 +235,7 @@ TEST_CASE("a curved panel is struck on its convex side: it presses together alon
   const double curved = load.dot(u);
   plate.curvature_per_m = -0.5;
   const RitzPlate concave(plate, 10);
-  CHECK(flexibility(concave, load, load) == doctest::Approx(curved).epsilon(1e-9));  // linear: the sign is a mirror's
+  CHECK(flexibility(concave, load, load) == about(curved).epsilon(1e-9));  // linear: the sign is a mirror's
   plate.curvature_per_m = 0;
   const RitzPlate flat(plate, 10);
   const Eigen::VectorXd flat_load = flat.mean_deflection({0, 0}, 0.2);

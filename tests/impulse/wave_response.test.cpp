@@ -1,6 +1,7 @@
 #include "impulse/response/wave_response.hpp"
 
 #include "impulse/response/pulse_train.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/bars.hpp"
 #include "tests/support/wave_lattice.hpp"
 
@@ -55,7 +56,7 @@ TEST_CASE(
           h += 2 * power;
           u += 2 * power * (t - n * round_trip);
         }
-        CHECK(response.pair(0, 0).step_velocity_m_per_Ns[k] == doctest::Approx(h / z).epsilon(1e-12));
+        CHECK(response.pair(0, 0).step_velocity_m_per_Ns[k] == about(h / z).epsilon(1e-12));
         // One rounding a sample: size·ε of the record's length.
         CHECK(std::abs(response.pair(0, 0).step_displacement_m_per_N[k] - u / z) < 1e-12 * grid.duration_s() / z);
         CHECK(response.pair(0, 0).impulse_response_per_kg[k] == 0);
@@ -216,7 +217,7 @@ TEST_CASE("wave_response: a bar whose echo comes 10^5 records later answers with
   const Bar bar = bars::steel_rod(1e5);
   const Response response = wave_response(bar, grid_over(4e-6, 1e-6));
   const double z = face_impedance_kg_per_s(bar.profile, Face::a);
-  for (double h : response.pair(0, 0).step_velocity_m_per_Ns) CHECK(h * z == doctest::Approx(1).epsilon(1e-14));
+  for (double h : response.pair(0, 0).step_velocity_m_per_Ns) CHECK(h * z == about(1).epsilon(1e-14));
 }
 
 TEST_CASE("wave_response: refuses a cone too sharp to resolve") {

@@ -1,5 +1,6 @@
 #include "lib/material/beam.hpp"
 
+#include "tests/support/about.hpp"
 #include "tests/support/beams.hpp"
 
 #include <doctest/doctest.h>
@@ -14,11 +15,11 @@ TEST_CASE("beam: section, mass and bending stiffness of a rectangle") {
   beam.width_m = 0.03;
   beam.height_m = 0.1;
   beam.material = parse_material("4GPa:1000kg/m3");
-  CHECK(beam.area_m2() == doctest::Approx(3e-3));
-  CHECK(beam.mass_kg() == doctest::Approx(6));
-  CHECK(beam.bending_stiffness_Nm2() == doctest::Approx(4e9 * 0.03 * 1e-3 / 12));
-  CHECK(beam.flexibility_m_per_N() == doctest::Approx(8 / 1e4));
-  CHECK(beam.slenderness_frequency() == doctest::Approx(std::sqrt(1e4 / 3) / 4));
+  CHECK(beam.area_m2() == about(3e-3));
+  CHECK(beam.mass_kg() == about(6));
+  CHECK(beam.bending_stiffness_Nm2() == about(4e9 * 0.03 * 1e-3 / 12));
+  CHECK(beam.flexibility_m_per_N() == about(8 / 1e4));
+  CHECK(beam.slenderness_frequency() == about(std::sqrt(1e4 / 3) / 4));
 }
 
 TEST_CASE("beam: refuses what is no beam, and points outside it or on its supports") {

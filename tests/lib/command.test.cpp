@@ -232,7 +232,8 @@ TEST_CASE("blamed_on: what a function refuses becomes the refusal of a flag, any
   CHECK(blamed_on("--growth", [] { return 3; }) == 3);
   CHECK_THROWS_WITH_AS(blamed_on("--growth", []() -> int { throw std::invalid_argument("growth 0.9 is below 1"); }),
                        "--growth: growth 0.9 is below 1", UsageError);
-  CHECK_THROWS_AS(blamed_on("--growth", []() -> int { throw ConvergenceError("no"); }), ConvergenceError);
+  CHECK_THROWS_AS(blamed_on("--growth", []() -> int { throw ConvergenceError("no", 1e-9, 1e-3, 5); }),
+                  ConvergenceError);
 }
 
 TEST_CASE("command: refusals of TOML name file, line, column and key") {

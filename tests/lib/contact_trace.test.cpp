@@ -1,4 +1,5 @@
 #include "lib/law/contact_trace.hpp"
+#include "tests/support/about.hpp"
 
 #include <doctest/doctest.h>
 
@@ -73,7 +74,7 @@ TEST_CASE(
   CHECK(both.impact.energy_error == 0.5);
   CHECK(both.contact_count == 2);
   CHECK(both.impact.rebound_speed_m_per_s == 4 - 10.0 / 2);
-  CHECK(*both.restitution == doctest::Approx(10 * (0.5 + 0.2) / 5 - 1));
+  CHECK(*both.restitution == about(10 * (0.5 + 0.2) / 5 - 1));
   // In a row of bodies only the first contact is body 1's.
   scene.contacts_of_body_1 = 1;
   scene.mass_2_kg = std::nullopt;

@@ -1,6 +1,7 @@
 #include "lib/csv/csv_table.hpp"
 #include "lib/contract/errors.hpp"
 #include "lib/csv/decimal.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 #include <doctest/doctest.h>
@@ -138,7 +139,7 @@ TEST_CASE("uniform_time takes the step from both ends") {
   for (int k = 0; k < 20000; ++k, time += 1e-7) text += fmt::format("{}\n", time);
   const UniformGrid grid = uniform_time(table_of(text));
   CHECK(grid.size == 20000);
-  CHECK(grid.step_s == doctest::Approx(1e-7).epsilon(1e-10));
+  CHECK(grid.step_s == about(1e-7).epsilon(1e-10));
   CHECK(uniform_time(table_of("time_s\n0\n1\n2.0000009\n")).size == 3);
 }
 

@@ -1,4 +1,5 @@
 #include "lib/numerics/dense_algebra.hpp"
+#include "tests/support/about.hpp"
 
 #include <doctest/doctest.h>
 
@@ -25,6 +26,6 @@ TEST_CASE("products, solutions and condition numbers of dense matrices") {
 
   Eigen::Matrix2d correlated;  // scaled: 1 ± 0.6
   correlated << 1, 600, 600, 1e6;
-  CHECK(scaled_condition(correlated) == doctest::Approx(1.6 / 0.4).epsilon(1e-13));
+  CHECK(scaled_condition(correlated) == about(1.6 / 0.4).epsilon(1e-13));
   CHECK_THROWS_WITH((void)scaled_condition(Eigen::Matrix2d::Zero()), doctest::Contains("without a positive diagonal"));
 }

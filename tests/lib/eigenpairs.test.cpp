@@ -1,6 +1,7 @@
 #include "lib/numerics/eigenpairs.hpp"
 
 #include "lib/contract/errors.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/chain.hpp"
 
 #include <doctest/doctest.h>
@@ -118,8 +119,7 @@ TEST_CASE("eigenpairs: shift-invert finds eigenvalues of high multiplicity") {
     CAPTURE(count);
     const Eigenpairs pairs = shift_invert_eigenpairs(chains.k, chains.m, count, -0.01);
     for (Eigen::Index i = 0; i < pairs.values.size(); ++i)
-      CHECK(pairs.values(i) ==
-            doctest::Approx(std::pow(chain_frequency(i / 5, n, 1, 2, Ends::fixed), 2)).epsilon(1e-11));
+      CHECK(pairs.values(i) == about(std::pow(chain_frequency(i / 5, n, 1, 2, Ends::fixed), 2)).epsilon(1e-11));
     CHECK(orthonormality_error(pairs, chains.m) <= 1e-11);
   }
 }
@@ -155,7 +155,7 @@ TEST_CASE("eigenpairs: work of shift-invert on 20000 degrees of freedom") {
   const Eigenpairs pairs = shift_invert_eigenpairs(k, lumped_mass(n, 1), 20, -first);
   CHECK(pairs.solve_count <= 100);
   for (Eigen::Index j = 1; j < 20; ++j)
-    CHECK(pairs.values(j) == doctest::Approx(std::pow(chain_frequency(j, n, 1, 1, Ends::free), 2)).epsilon(1e-8));
+    CHECK(pairs.values(j) == about(std::pow(chain_frequency(j, n, 1, 1, Ends::free), 2)).epsilon(1e-8));
   CHECK(std::abs(pairs.values(0)) <= 1e-8 * first);
 }
 
@@ -238,7 +238,7 @@ TEST_CASE("eigenpairs: low values of a graded dense problem keep their digits, h
     const Eigenpairs pairs = lowest_dense_eigenpairs(k, m, 1, count);
     REQUIRE(pairs.values.size() == static_cast<Eigen::Index>(count));
     for (std::size_t i = 0; i < count; ++i)
-      CHECK(pairs.values(static_cast<Eigen::Index>(i)) == doctest::Approx(exact[i]).epsilon(1e-11));
+      CHECK(pairs.values(static_cast<Eigen::Index>(i)) == about(exact[i]).epsilon(1e-11));
   }
   CHECK(lowest_dense_eigenpairs(k, m, 0, 34, 150).values.size() == 6);
   CHECK(lowest_dense_eigenpairs(k, m, 0, 4, 150).values.size() == 4);

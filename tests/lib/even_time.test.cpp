@@ -1,4 +1,5 @@
 #include "lib/records/even_time.hpp"
+#include "tests/support/about.hpp"
 
 #include <doctest/doctest.h>
 #include <fmt/format.h>
@@ -23,11 +24,11 @@ EvenTimeFit fit_of_printed(double start, double step, std::size_t size, const ch
 }  // namespace
 
 TEST_CASE("the last digit of a printed number says how well it is known") {
-  CHECK(printed_half_digit("-1.98E-04") == doctest::Approx(5e-7));
-  CHECK(printed_half_digit("0.00012") == doctest::Approx(5e-6));
-  CHECK(printed_half_digit("12") == doctest::Approx(0.5));
-  CHECK(printed_half_digit("0,25") == doctest::Approx(0.005));
-  CHECK(printed_half_digit("1e+3") == doctest::Approx(500));
+  CHECK(printed_half_digit("-1.98E-04") == about(5e-7));
+  CHECK(printed_half_digit("0.00012") == about(5e-6));
+  CHECK(printed_half_digit("12") == about(0.5));
+  CHECK(printed_half_digit("0,25") == about(0.005));
+  CHECK(printed_half_digit("1e+3") == about(500));
   CHECK(printed_half_digit("1E-999") == 0);
 }
 
@@ -38,7 +39,7 @@ TEST_CASE("even_time finds the step that was rounded away") {
     const double start = -2500 * step;
     const std::optional<EvenTime> even = fit_of_printed(start, step, 20000, "{:.2e}").fit();
     REQUIRE(even);
-    CHECK(even->step == doctest::Approx(step).epsilon(1e-14));
+    CHECK(even->step == about(step).epsilon(1e-14));
     CHECK(even->least_step <= step);
     CHECK(even->most_step >= step);
     // Rounding leaves open at most a digit over the whole length, and does: the interval isn't a guess.
@@ -50,8 +51,8 @@ TEST_CASE("even_time takes exactly printed values as they are") {
   for (const double step : {1e-7, 1.0 / 44100, 0.25}) {
     const std::optional<EvenTime> even = fit_of_printed(-5 * step, step, 1000, "{}").fit();
     REQUIRE(even);
-    CHECK(even->step == doctest::Approx(step).epsilon(1e-14));
-    CHECK(even->start == doctest::Approx(-5 * step).epsilon(1e-12));
+    CHECK(even->step == about(step).epsilon(1e-14));
+    CHECK(even->start == about(-5 * step).epsilon(1e-12));
   }
   CHECK(fit_of_printed(-5e-5, 1e-7, 5000, "{:.8g}").fit()->step == 1e-7);
   CHECK(fit_of_printed(-5e-5, 1e-7, 5000, "{:.8g}").fit()->start == -5e-5);

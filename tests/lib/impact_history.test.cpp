@@ -1,4 +1,5 @@
 #include "lib/law/impact_history.hpp"
+#include "tests/support/about.hpp"
 
 #include <doctest/doctest.h>
 
@@ -33,20 +34,20 @@ TEST_CASE("one or two samples spoilt by a wave front, or a record that stops too
 TEST_CASE("the end of contact is the linear zero before the first released sample") {
   const UniformGrid grid{0.5, 6};
   const std::vector<double> force{1, 3, 1, -3, -1, -1};
-  CHECK(contact_end_s(force, grid, 3) == doctest::Approx(1.0 + 0.5 / 4));
-  CHECK(contact_end_s(force, grid, 6) == doctest::Approx(2.5));
+  CHECK(contact_end_s(force, grid, 3) == about(1.0 + 0.5 / 4));
+  CHECK(contact_end_s(force, grid, 6) == about(2.5));
   CHECK(contact_end_s(force, grid, 0) == 0);
-  CHECK(contact_end_s({1, 3, 1, 0, 0, 0}, grid, 3) == doctest::Approx(1.5));
+  CHECK(contact_end_s({1, 3, 1, 0, 0, 0}, grid, 3) == about(1.5));
 }
 
 TEST_CASE("the impulse is that of the piecewise linear force up to the linear zero") {
   // 0.5 (1+3)/2 + 0.5 (3+1)/2 + the triangle 1·0.125/2
-  CHECK(impulse_Ns(released({1, 3, 1, -3, -1, -1}, 0.5)) == doctest::Approx(2.0625).epsilon(1e-15));
-  CHECK(impulse_Ns(released({1, 3, 1, 0, 0, 0}, 0.5)) == doctest::Approx(2.25).epsilon(1e-15));
+  CHECK(impulse_Ns(released({1, 3, 1, -3, -1, -1}, 0.5)) == about(2.0625).epsilon(1e-15));
+  CHECK(impulse_Ns(released({1, 3, 1, 0, 0, 0}, 0.5)) == about(2.25).epsilon(1e-15));
 }
 
 TEST_CASE("the impulse of a record that ends in contact is the whole trapezoidal sum, spoilt samples included") {
-  CHECK(impulse_Ns(released({2, 2, 2}, 0.25)) == doctest::Approx(1.0).epsilon(1e-15));
+  CHECK(impulse_Ns(released({2, 2, 2}, 0.25)) == about(1.0).epsilon(1e-15));
   CHECK(impulse_Ns(released({2, -2, 2}, 0.25)) == doctest::Approx(0.0));
 }
 
@@ -56,9 +57,9 @@ TEST_CASE("a summary names the peak, its time, and the rebound of a body of know
   const ImpactSummary line = summary(history, 2.0, 0.5);
   CHECK(line.peak_force_N == 3);
   CHECK(line.peak_time_s == 0.5);
-  CHECK(line.contact_duration_s == doctest::Approx(1.125));
-  CHECK(line.impulse_Ns == doctest::Approx(2.0625));
-  CHECK(line.rebound_speed_m_per_s.value() == doctest::Approx(2.0 - 2.0625 / 0.5));
+  CHECK(line.contact_duration_s == about(1.125));
+  CHECK(line.impulse_Ns == about(2.0625));
+  CHECK(line.rebound_speed_m_per_s.value() == about(2.0 - 2.0625 / 0.5));
   CHECK(line.energy_error == 0.125);
   CHECK_FALSE(summary(history, 2.0, std::nullopt).rebound_speed_m_per_s.has_value());
 }

@@ -1,4 +1,5 @@
 #include "lib/material/laminate.hpp"
+#include "tests/support/about.hpp"
 
 #include <doctest/doctest.h>
 
@@ -30,15 +31,15 @@ TEST_CASE("an isotropic laminate has the stiffness of a plate, however it is cut
     CHECK(difference(plate.bending, q * h * h * h / 12) < 1e-14);
     CHECK(plate.coupling.norm() < 1e-14 * plate.extension.norm() * h);
     CHECK(difference(plate.transverse_shear, Eigen::Matrix2d::Identity() * e / 2.6 * h) < 1e-14);
-    CHECK(plate.mass_kg_per_m2 == doctest::Approx(77.8).epsilon(1e-14));
+    CHECK(plate.mass_kg_per_m2 == about(77.8).epsilon(1e-14));
     CHECK(std::abs(plate.mass_moment_kg_per_m) < 1e-15);
-    CHECK(plate.rotary_inertia_kg == doctest::Approx(7780 * h * h * h / 12).epsilon(1e-14));
+    CHECK(plate.rotary_inertia_kg == about(7780 * h * h * h / 12).epsilon(1e-14));
     for (const EngineeringConstants& c :
          {engineering_constants(plate).in_plane, engineering_constants(plate).flexural}) {
-      CHECK(c.modulus_x_Pa == doctest::Approx(e).epsilon(1e-13));
-      CHECK(c.modulus_y_Pa == doctest::Approx(e).epsilon(1e-13));
-      CHECK(c.shear_modulus_xy_Pa == doctest::Approx(e / 2.6).epsilon(1e-13));
-      CHECK(c.poissons_ratio_xy == doctest::Approx(nu).epsilon(1e-13));
+      CHECK(c.modulus_x_Pa == about(e).epsilon(1e-13));
+      CHECK(c.modulus_y_Pa == about(e).epsilon(1e-13));
+      CHECK(c.shear_modulus_xy_Pa == about(e / 2.6).epsilon(1e-13));
+      CHECK(c.poissons_ratio_xy == about(nu).epsilon(1e-13));
       CHECK(std::abs(c.shear_coupling_x) < 1e-13);
     }
   }
@@ -57,18 +58,18 @@ TEST_CASE("D of the 20-ply panel") {
 
 TEST_CASE("a single ply measured along its axes shows its own constants") {
   const EngineeringConstants along = engineering_constants(laminate(layers_of("[0]", ply, 1e-3))).in_plane;
-  CHECK(along.modulus_x_Pa == doctest::Approx(140e9).epsilon(1e-13));
-  CHECK(along.modulus_y_Pa == doctest::Approx(9e9).epsilon(1e-13));
-  CHECK(along.shear_modulus_xy_Pa == doctest::Approx(5e9).epsilon(1e-13));
-  CHECK(along.poissons_ratio_xy == doctest::Approx(0.31).epsilon(1e-13));
-  CHECK(along.poissons_ratio_yx == doctest::Approx(0.31 * 9 / 140).epsilon(1e-13));
+  CHECK(along.modulus_x_Pa == about(140e9).epsilon(1e-13));
+  CHECK(along.modulus_y_Pa == about(9e9).epsilon(1e-13));
+  CHECK(along.shear_modulus_xy_Pa == about(5e9).epsilon(1e-13));
+  CHECK(along.poissons_ratio_xy == about(0.31).epsilon(1e-13));
+  CHECK(along.poissons_ratio_yx == about(0.31 * 9 / 140).epsilon(1e-13));
   const EngineeringConstants across = engineering_constants(laminate(layers_of("[90]", ply, 1e-3))).flexural;
-  CHECK(across.modulus_x_Pa == doctest::Approx(9e9).epsilon(1e-13));
-  CHECK(across.poissons_ratio_yx == doctest::Approx(0.31).epsilon(1e-13));
+  CHECK(across.modulus_x_Pa == about(9e9).epsilon(1e-13));
+  CHECK(across.poissons_ratio_yx == about(0.31).epsilon(1e-13));
   const Laminate turned = laminate(layers_of("[90]", ply, 1e-3));
   CHECK(turned.extension(0, 2) == 0);  // exact, so that a cross-ply has no spurious coupling
-  CHECK(turned.transverse_shear(0, 0) == doctest::Approx(4e6).epsilon(1e-14));
-  CHECK(turned.transverse_shear(1, 1) == doctest::Approx(3e6).epsilon(1e-14));
+  CHECK(turned.transverse_shear(0, 0) == about(4e6).epsilon(1e-14));
+  CHECK(turned.transverse_shear(1, 1) == about(3e6).epsilon(1e-14));
 }
 
 TEST_CASE("off-axis constants of a ply are those of the textbook") {
@@ -80,11 +81,11 @@ TEST_CASE("off-axis constants of a ply are those of the textbook") {
     const double s16 =
         2 * c * c * c * s / ply.modulus_1_Pa - 2 * c * s * s * s / ply.modulus_2_Pa + cross * c * s * (s * s - c * c);
     const EngineeringConstants k = engineering_constants(laminate({{ply, angle, 2e-3}})).in_plane;
-    CHECK(k.modulus_x_Pa == doctest::Approx(1 / s11).epsilon(1e-12));
-    CHECK(k.shear_coupling_x == doctest::Approx(s16 / s11).epsilon(1e-12));
+    CHECK(k.modulus_x_Pa == about(1 / s11).epsilon(1e-12));
+    CHECK(k.shear_coupling_x == about(s16 / s11).epsilon(1e-12));
     const Laminate one = laminate({{ply, angle, 2e-3}});
-    CHECK(one.transverse_shear(0, 0) == doctest::Approx((c * c * 3e9 + s * s * 4e9) * 2e-3).epsilon(1e-13));
-    CHECK(one.transverse_shear(0, 1) == doctest::Approx(c * s * (4e9 - 3e9) * 2e-3).epsilon(1e-13));
+    CHECK(one.transverse_shear(0, 0) == about((c * c * 3e9 + s * s * 4e9) * 2e-3).epsilon(1e-13));
+    CHECK(one.transverse_shear(0, 1) == about(c * s * (4e9 - 3e9) * 2e-3).epsilon(1e-13));
   }
 }
 
@@ -106,16 +107,15 @@ TEST_CASE("mass moments and coupling of two different layers") {
   Ply heavy = ply;
   heavy.density_kg_per_m3 = 3200;
   const Laminate plate = laminate({{ply, 0, 1e-3}, {heavy, 0, 2e-3}});  // z from -1.5 to -0.5 to 1.5 mm
-  CHECK(plate.thickness_m == doctest::Approx(3e-3).epsilon(1e-15));
-  CHECK(plate.mass_kg_per_m2 == doctest::Approx(1.6 + 6.4).epsilon(1e-14));
-  CHECK(plate.mass_moment_kg_per_m == doctest::Approx(-1.6e-3 + 6.4 * 0.5e-3).epsilon(1e-13));
-  CHECK(plate.rotary_inertia_kg ==
-        doctest::Approx((1600 * (3.375 - 0.125) + 3200 * (3.375 + 0.125)) / 3 * 1e-9).epsilon(1e-13));
+  CHECK(plate.thickness_m == about(3e-3).epsilon(1e-15));
+  CHECK(plate.mass_kg_per_m2 == about(1.6 + 6.4).epsilon(1e-14));
+  CHECK(plate.mass_moment_kg_per_m == about(-1.6e-3 + 6.4 * 0.5e-3).epsilon(1e-13));
+  CHECK(plate.rotary_inertia_kg == about((1600 * (3.375 - 0.125) + 3200 * (3.375 + 0.125)) / 3 * 1e-9).epsilon(1e-13));
   // [0/90]: B11 = h²/8 (Q22 - Q11), with the stiffer ply below.
   const Laminate cross = laminate(layers_of("[0/90]", ply, 2e-3));
   const double scale = 1 / (1 - 0.31 * 0.31 * 9 / 140);
-  CHECK(cross.coupling(0, 0) == doctest::Approx(0.5e-6 * scale * (9e9 - 140e9)).epsilon(1e-13));
-  CHECK(cross.coupling(1, 1) == doctest::Approx(-cross.coupling(0, 0)).epsilon(1e-13));
+  CHECK(cross.coupling(0, 0) == about(0.5e-6 * scale * (9e9 - 140e9)).epsilon(1e-13));
+  CHECK(cross.coupling(1, 1) == about(-cross.coupling(0, 0)).epsilon(1e-13));
   CHECK(laminate(layers_of("[0/90]s", ply, 2e-3)).coupling.isZero(0));
   const Laminate many = laminate(layers_of("[(37/-11/80)20/±45]3s", ply, 7e-3));
   CHECK(many.coupling.isZero(0));

@@ -1,4 +1,5 @@
 #include "lib/cli/laminate_options.hpp"
+#include "tests/support/about.hpp"
 
 #include <doctest/doctest.h>
 
@@ -24,9 +25,9 @@ TEST_CASE("laminate options make layers") {
       layers_from({"--layup", "[0/45/0/-45/0]2s", "--ply", "graphite-epoxy", "--thickness", "2.69mm"});
   CHECK(panel.size() == 20);
   CHECK(panel[1].angle_deg == 45);
-  CHECK(panel[1].thickness_m == doctest::Approx(1.345e-4).epsilon(1e-14));
+  CHECK(panel[1].thickness_m == about(1.345e-4).epsilon(1e-14));
   CHECK(layers_from({"--layup", "[0/90]", "--ply", "graphite-epoxy", "--ply-thickness", "0.1mm"})[1].thickness_m ==
-        doctest::Approx(1e-4).epsilon(1e-14));
+        about(1e-4).epsilon(1e-14));
   CHECK(
       layers_from({"--layup", "[0/90]", "--ply", "graphite-epoxy", "--ply-thickness", "0.1mm", "--thickness", "0.2mm"})
           .size() == 2);

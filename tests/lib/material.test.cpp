@@ -1,4 +1,5 @@
 #include "lib/material/material.hpp"
+#include "tests/support/about.hpp"
 
 #include <doctest/doctest.h>
 
@@ -24,12 +25,12 @@ TEST_CASE("material table holds the constants of the thesis") {
 }
 
 TEST_CASE("rod wave speed is the root of modulus over density") {
-  CHECK(parse_material("steel").rod_wave_speed_m_per_s() == doctest::Approx(std::sqrt(206e9 / 7780)).epsilon(1e-15));
+  CHECK(parse_material("steel").rod_wave_speed_m_per_s() == impulse::about(std::sqrt(206e9 / 7780)).epsilon(1e-15));
 }
 
 TEST_CASE("parse_material reads constants and Poisson's ratio") {
   const Material nylon = parse_material("2.8GPa:1150kg/m3:0.40");
-  CHECK(nylon.youngs_modulus_Pa == doctest::Approx(2.8e9).epsilon(1e-15));
+  CHECK(nylon.youngs_modulus_Pa == impulse::about(2.8e9).epsilon(1e-15));
   CHECK(nylon.density_kg_per_m3 == 1150);
   CHECK(nylon.poissons_ratio == 0.40);
   CHECK(parse_material("206e9:7780").youngs_modulus_Pa == 206e9);

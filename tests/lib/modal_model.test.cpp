@@ -2,6 +2,7 @@
 
 #include "lib/contract/errors.hpp"
 #include "lib/model/rigid_modes.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/chain.hpp"
 
 #include <doctest/doctest.h>
@@ -77,7 +78,7 @@ TEST_CASE("modal_model: a chain between walls, by every route, in any units") {
       REQUIRE(model.mode_count() == 12);
       // ε times the largest eigenvalue, 4k/m, is 4e-12 of the lowest.
       for (Eigen::Index j = 0; j < 12; ++j)
-        CHECK(model.angular_frequency(j) == doctest::Approx(chain_frequency(j, n, k, m, Ends::fixed)).epsilon(1e-11));
+        CHECK(model.angular_frequency(j) == about(chain_frequency(j, n, k, m, Ends::fixed)).epsilon(1e-11));
       CHECK(model.damping_ratio.isZero(0));
       CHECK(model.residual_flexibility.isZero(0));
       CHECK(model.wave_admittance.isZero(0));
@@ -93,10 +94,10 @@ TEST_CASE("modal_model: a free chain has one rigid-body mode, exactly at 0 and u
         CHECK(model.angular_frequency(0) == 0);
         const double uniform = 1 / std::sqrt(static_cast<double>(n) * m);
         for (Eigen::Index contact = 0; contact < 2; ++contact)
-          CHECK(std::abs(model.participation(0, contact)) == doctest::Approx(uniform).epsilon(1e-12));
+          CHECK(std::abs(model.participation(0, contact)) == about(uniform).epsilon(1e-12));
         for (Eigen::Index j = 1; j < 5; ++j)
           CHECK(model.angular_frequency(j) ==
-                doctest::Approx(chain_frequency(j, n, k, m, Ends::free)).epsilon(n < 1000 ? 1e-11 : 1e-9));
+                about(chain_frequency(j, n, k, m, Ends::free)).epsilon(n < 1000 ? 1e-11 : 1e-9));
       }
 }
 
@@ -106,7 +107,7 @@ TEST_CASE("modal_model: all routes agree") {
   for (const Route route : {Route::tridiagonal, Route::arpack}) {
     const ModalModel model = modal_model(body, {.mode_count = 20, .route = route});
     for (Eigen::Index i = 0; i < 20; ++i) {
-      CHECK(model.angular_frequency(i) == doctest::Approx(reference.angular_frequency(i)).epsilon(1e-10));
+      CHECK(model.angular_frequency(i) == about(reference.angular_frequency(i)).epsilon(1e-10));
       const double sign = model.participation(i, 0) * reference.participation(i, 0) > 0 ? 1 : -1;
       CHECK(largest_difference(sign * model.participation.row(i), reference.participation.row(i)) <=
             1e-10 * reference.participation.cwiseAbs().maxCoeff());
@@ -149,10 +150,10 @@ TEST_CASE("modal_model: a free beam has two rigid-body modes, whatever its size 
       CHECK(model.angular_frequency(0) == 0);
       CHECK(model.angular_frequency(1) == 0);
       const double exact = std::pow(4.730040744862704 / length, 2) * std::sqrt(bending / line_mass);
-      CHECK(model.angular_frequency(2) == doctest::Approx(exact).epsilon(elements == 4 ? 2e-3 : 2e-7));
+      CHECK(model.angular_frequency(2) == about(exact).epsilon(elements == 4 ? 2e-3 : 2e-7));
       // Translation and rotation of a free rod: (1 + 3)/mass at its end.
       CHECK(model.participation.col(0).head(2).squaredNorm() ==
-            doctest::Approx(4 / (line_mass * length)).epsilon(elements < 400 ? 1e-10 : 1e-7));
+            about(4 / (line_mass * length)).epsilon(elements < 400 ? 1e-10 : 1e-7));
     }
 }
 
@@ -164,7 +165,7 @@ TEST_CASE("modal_model: unconnected bodies: every mode twice, or twelve times") 
     const ModalModel model = modal_model(two, {.mode_count = 20, .route = route, .residual = Residual::attached});
     CHECK(model.angular_frequency.head(2).isZero(0));
     for (Eigen::Index i = 2; i < 20; ++i)
-      CHECK(model.angular_frequency(i) == doctest::Approx(chain_frequency(i / 2, n, 2, 3, Ends::free)).epsilon(1e-10));
+      CHECK(model.angular_frequency(i) == about(chain_frequency(i / 2, n, 2, 3, Ends::free)).epsilon(1e-10));
     const Eigen::MatrixXd rigid = model.participation.topRows(2).transpose() * model.participation.topRows(2);
     CHECK(largest_difference(rigid, Eigen::MatrixXd::Identity(2, 2) / (3 * n)) <= 1e-12 / (3 * n));
     CHECK(std::abs(model.residual_flexibility(0, 1)) <= 1e-9 * model.residual_flexibility(0, 0));
@@ -175,7 +176,7 @@ TEST_CASE("modal_model: unconnected bodies: every mode twice, or twelve times") 
   const ModalModel model = modal_model(structure(many, at(240, {0})), {.mode_count = 30, .route = Route::arpack});
   CHECK(model.angular_frequency.head(12).isZero(0));
   for (Eigen::Index i = 12; i < 30; ++i)
-    CHECK(model.angular_frequency(i) == doctest::Approx(chain_frequency(i / 12, 20, 2, 3, Ends::free)).epsilon(1e-10));
+    CHECK(model.angular_frequency(i) == about(chain_frequency(i / 12, 20, 2, 3, Ends::free)).epsilon(1e-10));
 }
 
 TEST_CASE("modal_model: the consistent bar's closed form, and the whole spectrum") {
@@ -185,12 +186,11 @@ TEST_CASE("modal_model: the consistent bar's closed form, and the whole spectrum
   REQUIRE(model.mode_count() == elements + 1);
   for (Eigen::Index j = 0; j <= elements; ++j) {
     const double cosine = std::cos(static_cast<double>(j) * std::numbers::pi / static_cast<double>(elements));
-    CHECK(model.angular_frequency(j) ==
-          doctest::Approx(std::sqrt(6 * 7 / 0.3 * (1 - cosine) / (2 + cosine))).epsilon(1e-10));
+    CHECK(model.angular_frequency(j) == about(std::sqrt(6 * 7 / 0.3 * (1 - cosine) / (2 + cosine))).epsilon(1e-10));
   }
   // All modes together answer a unit impulse with the mass matrix's inverse: (M⁻¹)₀₀ = Σφ².
   const Eigen::MatrixXd mass(consistent_bar(elements, 7, 0.3).m);
-  CHECK(model.participation.squaredNorm() == doctest::Approx(mass.inverse()(0, 0)).epsilon(1e-12));
+  CHECK(model.participation.squaredNorm() == about(mass.inverse()(0, 0)).epsilon(1e-12));
 }
 
 TEST_CASE("modal_model: the highest frequency selects exactly the modes up to it") {
@@ -254,8 +254,7 @@ TEST_CASE("modal_model: a free body's residual flexibility is that of the modes 
     const ModalModel rigid = modal_model(bar, {.mode_count = 1, .residual = Residual::attached});
     const double count = static_cast<double>(masses);
     // Springs carry F(1 - i/n); free of rigid motion: Σ (1 - i/n)²/k, i = 1 ... n-1.
-    CHECK(rigid.residual_flexibility(0, 0) ==
-          doctest::Approx((count - 1) * (2 * count - 1) / (6 * count) / 5).epsilon(1e-10));
+    CHECK(rigid.residual_flexibility(0, 0) == about((count - 1) * (2 * count - 1) / (6 * count) / 5).epsilon(1e-10));
   }
 }
 

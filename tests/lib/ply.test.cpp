@@ -1,4 +1,5 @@
 #include "lib/material/ply.hpp"
+#include "tests/support/about.hpp"
 
 #include <doctest/doctest.h>
 
@@ -17,26 +18,26 @@ TEST_CASE("ply table holds the constants of the thesis") {
   CHECK(panel.shear_modulus_23_Pa == 5.5e9);
   CHECK(panel.density_kg_per_m3 == 1580);
   const Ply nasa = parse_ply("as4-3502:1600kg/m3");
-  CHECK(nasa.modulus_1_Pa == doctest::Approx(137.895e9).epsilon(1e-5));  // 20 Msi
-  CHECK(nasa.shear_modulus_23_Pa == doctest::Approx(3.51633e9).epsilon(1e-5));
+  CHECK(nasa.modulus_1_Pa == impulse::about(137.895e9).epsilon(1e-5));  // 20 Msi
+  CHECK(nasa.shear_modulus_23_Pa == impulse::about(3.51633e9).epsilon(1e-5));
   CHECK(nasa.density_kg_per_m3 == 1600);
   for (const impulse::PlyRecord& record : impulse::ply_table()) CHECK_FALSE(record.source.empty());
 }
 
 TEST_CASE("parse_ply reads constants with units") {
   const Ply ply = parse_ply("20Mpsi:1.3Mpsi:0.3:6GPa:5GPa:4GPa:1.6g/cm3");
-  CHECK(ply.modulus_1_Pa == doctest::Approx(137.895e9).epsilon(1e-5));
+  CHECK(ply.modulus_1_Pa == impulse::about(137.895e9).epsilon(1e-5));
   CHECK(ply.poissons_ratio_12 == 0.3);
   CHECK(ply.shear_modulus_12_Pa == 6e9);
   CHECK(ply.shear_modulus_13_Pa == 5e9);
   CHECK(ply.shear_modulus_23_Pa == 4e9);
-  CHECK(ply.density_kg_per_m3 == doctest::Approx(1600).epsilon(1e-14));
+  CHECK(ply.density_kg_per_m3 == impulse::about(1600).epsilon(1e-14));
 }
 
 TEST_CASE("an isotropic material as a ply") {
   const Ply ply = impulse::isotropic_ply(impulse::parse_material("206GPa:7780kg/m3:0.3"));
   CHECK(ply.modulus_1_Pa == ply.modulus_2_Pa);
-  CHECK(ply.shear_modulus_13_Pa == doctest::Approx(206e9 / 2.6).epsilon(1e-15));
+  CHECK(ply.shear_modulus_13_Pa == impulse::about(206e9 / 2.6).epsilon(1e-15));
   CHECK_THROWS_WITH((void)impulse::isotropic_ply(impulse::parse_material("steel")),
                     "material 'steel' has no Poisson's ratio; add one, steel:0.3");
 }

@@ -1,5 +1,6 @@
 #include "lib/transform/power_series.hpp"
 
+#include "tests/support/about.hpp"
 #include "tests/support/direct_sums.hpp"
 
 #include <doctest/doctest.h>
@@ -38,8 +39,7 @@ TEST_CASE("power_series: 1/(1 - z)^2 has the coefficients n + 1") {
   std::vector<double> b(200, 0.0);
   b[0] = 1;
   const auto result = PowerSeriesDivision(200).divide(b, w, 1e-9);
-  for (std::size_t n = 0; n < 200; ++n)
-    CHECK(result.quotient[n] == doctest::Approx(static_cast<double>(n) + 1).epsilon(1e-10));
+  for (std::size_t n = 0; n < 200; ++n) CHECK(result.quotient[n] == about(static_cast<double>(n) + 1).epsilon(1e-10));
 }
 
 TEST_CASE("power_series: one refinement repairs what a large 1/w loses") {

@@ -1,4 +1,5 @@
 #include "lib/records/record_unit.hpp"
+#include "tests/support/about.hpp"
 
 #include <doctest/doctest.h>
 
@@ -45,8 +46,8 @@ TEST_CASE("record_unit reads what laboratories write") {
   const std::optional<RecordUnit> celsius = record_unit("°C");
   REQUIRE(celsius);
   CHECK(celsius->si == "K");
-  CHECK(celsius->offset == doctest::Approx(273.15));
-  CHECK(celsius->factor == doctest::Approx(1));
+  CHECK(celsius->offset == about(273.15));
+  CHECK(celsius->factor == about(1));
 }
 
 TEST_CASE("record_unit does not guess") {

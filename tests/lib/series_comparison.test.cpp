@@ -1,4 +1,5 @@
 #include "lib/series/series_comparison.hpp"
+#include "tests/support/about.hpp"
 
 #include <doctest/doctest.h>
 
@@ -126,7 +127,7 @@ TEST_CASE("series_difference: half-sine against its interpolant is of order 2") 
   for (const std::size_t n : {8, 16, 32, 64, 128}) {
     const double error =
         series_difference(fine, sampled(1.0 / static_cast<double>(n), n + 1, pulse), {1, {}, 0}).relative_l2;
-    if (previous > 0) CHECK(std::log2(previous / error) == doctest::Approx(2).epsilon(0.02));
+    if (previous > 0) CHECK(std::log2(previous / error) == about(2).epsilon(0.02));
     previous = error;
   }
 }

@@ -1,6 +1,7 @@
 #include "lib/numerics/bessel.hpp"
 #include "lib/numerics/cubic_spline.hpp"
 #include "lib/numerics/student_t.hpp"
+#include "tests/support/about.hpp"
 
 #include <doctest/doctest.h>
 
@@ -41,10 +42,10 @@ TEST_CASE("bessel: the pair is its power series, on both sides of 0") {
 
 TEST_CASE("student_t: quantiles in closed form, and the normal limit") {
   // One degree of freedom: tan π(p - ½); two: x/√(2 + x²) = 2p - 1.
-  CHECK(student_t_quantile(0.975, 1) == doctest::Approx(std::tan(0.475 * std::numbers::pi)).epsilon(1e-10));
-  CHECK(student_t_quantile(0.975, 2) == doctest::Approx(0.95 * std::sqrt(2 / (1 - 0.95 * 0.95))).epsilon(1e-10));
+  CHECK(student_t_quantile(0.975, 1) == about(std::tan(0.475 * std::numbers::pi)).epsilon(1e-10));
+  CHECK(student_t_quantile(0.975, 2) == about(0.95 * std::sqrt(2 / (1 - 0.95 * 0.95))).epsilon(1e-10));
   CHECK(student_t_quantile(0.5, 7) == doctest::Approx(0));
-  CHECK(student_t_quantile(0.975, 1e9) == doctest::Approx(1.959963985).epsilon(1e-8));
+  CHECK(student_t_quantile(0.975, 1e9) == about(1.959963985).epsilon(1e-8));
   CHECK_THROWS_WITH_AS((void)student_t_quantile(1, 4), doctest::Contains("not a probability"), std::invalid_argument);
   CHECK_THROWS_WITH_AS((void)student_t_quantile(0.9, 0), doctest::Contains("degrees of freedom"),
                        std::invalid_argument);
@@ -53,11 +54,11 @@ TEST_CASE("student_t: quantiles in closed form, and the normal limit") {
 TEST_CASE("curve_band_factor: the share it leaves outside, by counting, for 19 groups of values and for one") {
   // Two degrees of freedom have a distribution in closed form, P(|T| > k) = 1 - k/√(2 + k²); p = 0.05·0.05.
   const double k = curve_band_factor(0.95, 0.05, 2);
-  CHECK(1 - k / std::sqrt(2 + k * k) == doctest::Approx(0.0025).epsilon(1e-9));
+  CHECK(1 - k / std::sqrt(2 + k * k) == about(0.0025).epsilon(1e-9));
   // Bonferroni's band of ten values.
-  CHECK(curve_band_factor(0.95, 0.1, 4) == doctest::Approx(student_t_quantile(1 - 0.005 / 2, 4)).epsilon(1e-12));
+  CHECK(curve_band_factor(0.95, 0.1, 4) == about(student_t_quantile(1 - 0.005 / 2, 4)).epsilon(1e-12));
   // 19 errors, each of 1/19 = 5.3 % of the values: 1 - (1 - p)^19 of curves have one beyond, nearly the 5 % allowed.
-  CHECK(1 - std::pow(1 - 0.0025, 19) == doctest::Approx(0.0464).epsilon(0.01));
+  CHECK(1 - std::pow(1 - 0.0025, 19) == about(0.0464).epsilon(0.01));
   CHECK_THROWS_WITH_AS((void)curve_band_factor(1, 0.05, 4), doctest::Contains("confidence 1"), std::invalid_argument);
   CHECK_THROWS_WITH_AS((void)curve_band_factor(0.95, 0, 4), doctest::Contains("share 0"), std::invalid_argument);
 }
@@ -79,7 +80,7 @@ TEST_CASE("cubic_spline: order 4 inside, exact for lines, refusals") {
     CHECK(std::abs(slope - 4) < 0.1);
   }
   const CubicSpline line({0, 1, 4}, {1, 3, 9});
-  CHECK(line(2.5) == doctest::Approx(6));
+  CHECK(line(2.5) == about(6));
   CHECK(line.last() == 4);
   CHECK_THROWS_WITH_AS((void)line(4.1), doctest::Contains("outside the spline"), std::invalid_argument);
   CHECK_THROWS_WITH_AS(CubicSpline({0, 1}, {0, 1}), doctest::Contains("three points"), std::invalid_argument);

@@ -1,6 +1,7 @@
 #include "lib/records/text_record.hpp"
 
 #include "lib/contract/errors.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 #include <doctest/doctest.h>
@@ -69,7 +70,7 @@ TEST_CASE("a text of many blocks is read like its rows") {
     const auto i = static_cast<std::size_t>(k);
     REQUIRE(record.channels[0].values[i] == k);
     REQUIRE(record.channels[1].values[i] == -k);
-    REQUIRE(record.abscissa.at(i) == doctest::Approx(1e-6 * k).epsilon(1e-14));
+    REQUIRE(record.abscissa.at(i) == about(1e-6 * k).epsilon(1e-14));
   }
 }
 

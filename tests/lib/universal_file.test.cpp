@@ -1,6 +1,7 @@
 #include "lib/records/universal_file.hpp"
 
 #include "lib/contract/errors.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 #include <doctest/doctest.h>
@@ -191,12 +192,12 @@ TEST_CASE("dataset 164 makes values without a unit SI") {
       "4.5967D+02\n    -1\n";
   const Record record = read(units + with_values(form, "1 2 3")).front();
   CHECK(record.channels[0].info.unit == "m/s");
-  CHECK(record.channels[0].values[1] == doctest::Approx(2 * 0.3048).epsilon(1e-12));
+  CHECK(record.channels[0].values[1] == about(2 * 0.3048).epsilon(1e-12));
   form.axis = "        12    0    0    0 acc                  NONE";
   form.below = "        13    0    0    0 force                NONE";
   const Record inertance = read(units + with_values(form, "1 2 3")).front();
   CHECK(inertance.channels[0].info.unit == "(m/s2)/(N)");
-  CHECK(inertance.channels[0].values[0] == doctest::Approx(0.3048 / (0.45359237 * 9.80665)).epsilon(1e-12));
+  CHECK(inertance.channels[0].values[0] == about(0.3048 / (0.45359237 * 9.80665)).epsilon(1e-12));
 }
 
 TEST_CASE("other datasets are passed over, different times make records of their own") {

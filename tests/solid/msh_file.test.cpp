@@ -2,6 +2,7 @@
 
 #include "fem/bodies/axisymmetric_solid.hpp"
 #include "lib/contract/errors.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/temporary_directory.hpp"
 
 #include <doctest/doctest.h>
@@ -36,7 +37,7 @@ TEST_CASE(
       .materials = {isotropic_elasticity({"light", 1e9, 1, 0.3}), isotropic_elasticity({"heavy", 1e9, 10, 0.3})},
       .contacts = {}};
   // The lower triangle's centroid is at r = 4/3, the upper one's at 2/3; each has the area 1.
-  CHECK(mass_kg(solid) == doctest::Approx(2 * std::numbers::pi * (4.0 / 3 + 10 * 2.0 / 3)).epsilon(1e-14));
+  CHECK(mass_kg(solid) == about(2 * std::numbers::pi * (4.0 / 3 + 10 * 2.0 / 3)).epsilon(1e-14));
   CHECK(axisymmetric_structure(solid).structure.mass.rows() == 2 * 9 - 3);
 }
 

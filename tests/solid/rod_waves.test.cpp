@@ -2,6 +2,7 @@
 #include "impulse/exact/bar_modes.hpp"
 #include "impulse/exact/pochhammer_chree.hpp"
 #include "lib/model/modal_model.hpp"
+#include "tests/support/about.hpp"
 #include "tests/support/section_mesh.hpp"
 
 #include <doctest/doctest.h>
@@ -48,8 +49,8 @@ TEST_CASE("waves on a cylinder travel at Bancroft's velocities, within 0.1 %, an
   for (const auto& [d_per_wavelength, ratio] : bancroft) {
     CAPTURE(d_per_wavelength);
     const double ours = phase_velocity_ratio(d_per_wavelength, 0.3);
-    CHECK(ours == doctest::Approx(ratio).epsilon(1e-3));
-    CHECK(ours == doctest::Approx(pochhammer_chree_speed_ratio(pi * d_per_wavelength, 0.3)).epsilon(1e-4));
+    CHECK(ours == about(ratio).epsilon(1e-3));
+    CHECK(ours == about(pochhammer_chree_speed_ratio(pi * d_per_wavelength, 0.3)).epsilon(1e-4));
   }
 }
 
@@ -75,7 +76,7 @@ TEST_CASE("a slender cone's first ten frequencies approach those of rod theory a
   for (std::size_t i = 0; i + 1 < error.size(); ++i)
     for (Eigen::Index mode = 0; mode < 10; ++mode) {
       CAPTURE(mode);
-      CHECK(std::log2(error[i](mode) / error[i + 1](mode)) == doctest::Approx(2).epsilon(0.05));
+      CHECK(std::log2(error[i](mode) / error[i + 1](mode)) == about(2).epsilon(0.05));
     }
 }
 

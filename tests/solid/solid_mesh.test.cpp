@@ -1,6 +1,7 @@
 #include "fem/mesh/solid_mesh.hpp"
 
 #include "fem/bodies/axisymmetric_solid.hpp"
+#include "tests/support/about.hpp"
 
 #include <doctest/doctest.h>
 
@@ -37,7 +38,7 @@ TEST_CASE("a meshed chain has the mass of its segments, in the regions where the
   const Profile chain{parse_segment("50mm,20mm,nylon-6:0.4"), parse_segment("30mm,40mm,30mm,aluminium:0.33"),
                       parse_segment("40mm,30mm,steel:0.3")};
   const AxisymmetricSolid solid = solid_of(chain, {{Face::a, 4e-3, 0.5e-3}, {Face::b, 15e-3, 2e-3}});
-  CHECK(mass_kg(solid) == doctest::Approx(mass_kg(chain)).epsilon(1e-13));  // straight sides: exact
+  CHECK(mass_kg(solid) == about(mass_kg(chain)).epsilon(1e-13));  // straight sides: exact
   CHECK(*std::ranges::max_element(solid.mesh.region) == 2);
   for (Eigen::Index e = 0; e < solid.mesh.element_count(); ++e) {
     const double z = solid.mesh.nodes(solid.mesh.elements.row(e).head<3>(), 1).mean();
@@ -84,8 +85,8 @@ TEST_CASE("the thesis' meshes: about 616 and 1305 elements") {
   // 3 %: another version of Gmsh may place a few more. Two and five sides on the radius: 5 and 11 loaded nodes.
   const TriangleMesh coarse = solid_mesh(cone, {{Face::b, 5e-3, 2.5e-3}}, {1.08, 0.32});
   const TriangleMesh fine = solid_mesh(cone, {{Face::b, 5e-3, 1e-3}}, {1.1, 0.21});
-  CHECK(static_cast<double>(coarse.element_count()) == doctest::Approx(616).epsilon(0.03));
-  CHECK(static_cast<double>(fine.element_count()) == doctest::Approx(1305).epsilon(0.03));
+  CHECK(static_cast<double>(coarse.element_count()) == about(616).epsilon(0.03));
+  CHECK(static_cast<double>(fine.element_count()) == about(1305).epsilon(0.03));
 }
 
 TEST_CASE("what cannot be meshed is refused") {

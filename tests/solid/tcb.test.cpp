@@ -8,6 +8,7 @@
 #include "impulse/response/modal_response.hpp"
 #include "impulse/response/wave_response.hpp"
 #include "lib/model/modal_model.hpp"
+#include "tests/support/about.hpp"
 
 #include <doctest/doctest.h>
 
@@ -76,8 +77,8 @@ Blow predicted(const Discretisation& d) {
 }
 
 void check_close(const Blow& a, const Blow& b, double relative, double time_s) {
-  CHECK(a.peak_N == doctest::Approx(b.peak_N).epsilon(relative));
-  CHECK(a.impulse == doctest::Approx(b.impulse).epsilon(relative));
+  CHECK(a.peak_N == about(b.peak_N).epsilon(relative));
+  CHECK(a.impulse == about(b.impulse).epsilon(relative));
   CHECK(std::abs(a.rise_s - b.rise_s) < time_s);
   CHECK(std::abs(a.fall_s - b.fall_s) < time_s);
   CHECK(std::abs(a.end_s - b.end_s) < time_s);
@@ -88,10 +89,10 @@ TEST_CASE("TCB: the thesis' meshes of 616 and 1305 elements are within 1 % of th
   const Blow coarse = predicted({.size_per_radius = 0.5, .mesh = {1.08, 0.32}});
   const Blow fine = predicted({.size_per_radius = 0.2, .mesh = {1.1, 0.21}});
   // The punch's missing flexibility, 0.09 h/a: 4.5 % and 1.8 % of the local one, which is a part of all.
-  CHECK(coarse.peak_N == doctest::Approx(converged.peak_N).epsilon(0.012));
-  CHECK(fine.peak_N == doctest::Approx(converged.peak_N).epsilon(0.006));
-  CHECK(coarse.impulse == doctest::Approx(converged.impulse).epsilon(0.003));
-  CHECK(fine.impulse == doctest::Approx(converged.impulse).epsilon(0.001));
+  CHECK(coarse.peak_N == about(converged.peak_N).epsilon(0.012));
+  CHECK(fine.peak_N == about(converged.peak_N).epsilon(0.006));
+  CHECK(coarse.impulse == about(converged.impulse).epsilon(0.003));
+  CHECK(fine.impulse == about(converged.impulse).epsilon(0.001));
 }
 
 TEST_CASE("TCB: rod theory in series with the local flexibility of the half-space comes within 2 % of the impulse") {
@@ -103,8 +104,8 @@ TEST_CASE("TCB: rod theory in series with the local flexibility of the half-spac
   for (double& u : response.pair(0, 0).step_displacement_m_per_N) u += local;
   const Blow ours = predicted({}),
              simple = blow_of(solve_contact(response, wave_response(rod, grid), {speed}, ContactMethod::product));
-  CHECK(simple.impulse == doctest::Approx(ours.impulse).epsilon(0.02));
-  CHECK(simple.peak_N == doctest::Approx(ours.peak_N).epsilon(0.02));
+  CHECK(simple.impulse == about(ours.impulse).epsilon(0.02));
+  CHECK(simple.peak_N == about(ours.peak_N).epsilon(0.02));
 }
 
 TEST_SUITE_BEGIN("slow");
@@ -133,7 +134,7 @@ TEST_CASE("TCB: explicit finite elements that share no integration with the resp
     const ExplicitImpactResult witness = explicit_impact(cone(coarse, MassMatrix::lumped), target, impact);
     const Blow blow = blow_of(witness.history), ours = predicted({.contact = contact});
     check_close(blow, ours, 0.02, 5e-6);
-    CHECK(blow.impulse == doctest::Approx(ours.impulse).epsilon(1e-3));
+    CHECK(blow.impulse == about(ours.impulse).epsilon(1e-3));
   }
 }
 
