@@ -90,6 +90,7 @@ void PanelImpact::reduce() {
     const auto found = static_cast<std::size_t>(basis_->vectors.cols());  // fewer where the force excites no more
     tensors_ = std::make_unique<TensorModel>(
         tensor_model(shell_, body_, *static_factor_, *basis_, std::min(options_.nonlinear_vectors, found)));
+    *basis_ = tensors_->basis;
     set_up_.tensors_s = watch.lap_s();
     equations_ = tensor_equations(*tensors_);
   } else {

@@ -26,17 +26,18 @@ namespace impulse {
 /// hold is the deflection under the force, dimple included: a dozen Ritz vectors do, where as many modes do not.
 /// Verified by: tests/fem/quartic_energy.test.cpp, tests/fem/panel_impact.test.cpp
 struct TensorModel {
-  ReducedBasis basis;         ///< Φ, then Φ'
+  ReducedBasis basis;         ///< Φ, then Φ' with a diagonal Φ'ᵀKΦ'
   QuarticEnergy energy;       ///< E₄ - ½pᵀGp
   Eigen::MatrixXd companion;  ///< Φ'ᵀF
   Eigen::MatrixXd slaved;     ///< x = slaved · p(z), for strains and displacements of the whole body
 };
 
-/// The first `nonlinear_count` vectors are Φ; `factor` is that of the body's stiffness.
+/// The first `nonlinear_count` vectors are Φ, the others are turned among themselves to be Φ'; `factor` is that of the
+/// body's stiffness.
 /// @throws std::invalid_argument as quartic_reduction, or if more nonlinear vectors are asked for than there are.
 /// Cost: n³/6 internal forces and n(n + 1)/2 solutions, n = nonlinear_count.
 [[nodiscard]] TensorModel tensor_model(const Shell& shell, const Structure& body, const SparseCholesky& factor,
-                                       const ReducedBasis& basis, std::size_t nonlinear_count);
+                                       const ReducedBasis& given, std::size_t nonlinear_count);
 
 [[nodiscard]] std::unique_ptr<MotionEquations> tensor_equations(const TensorModel& model);
 
