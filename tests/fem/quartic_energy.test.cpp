@@ -153,8 +153,16 @@ TEST_CASE("the tangent is the derivative of the force") {
 
 TEST_CASE("in the span of the finite vectors the model is the mesh, and the other vectors keep their stiffness") {
   const Case c;
-  const ReducedBasis ritz = ritz_basis(c.body.stiffness, c.body.mass, c.body.contacts.col(0), 12);
-  const TensorModel model = tensor_model(c.shell, c.body, *SparseCholesky::of(c.body.stiffness), ritz, 5);
+  const ReducedBasis given = ritz_basis(c.body.stiffness, c.body.mass, c.body.contacts.col(0), 12);
+  const TensorModel model = tensor_model(c.shell, c.body, *SparseCholesky::of(c.body.stiffness), given, 5);
+  // The finite vectors as given, the others turned among themselves: K of the basis is the basis' and diagonal in them.
+  const ReducedBasis& ritz = model.basis;
+  CHECK(ritz.vectors.leftCols(5) == given.vectors.leftCols(5));
+  const MatrixXd turn = given.vectors.transpose() * c.body.mass * ritz.vectors;
+  CHECK((turn * turn.transpose() - MatrixXd::Identity(12, 12)).norm() <= 1e-12);
+  CHECK((ritz.vectors - given.vectors * turn).norm() <= 1e-12 * given.vectors.norm());
+  CHECK((ritz.stiffness - turn.transpose() * given.stiffness * turn).norm() <= 1e-12 * given.stiffness.norm());
+  CHECK(MatrixXd(ritz.stiffness.bottomRightCorner(7, 7)).isDiagonal(0));
   const auto equations = tensor_equations(model);
   // Small: the nonlinear terms are gone, and force and energy are those of the linear mesh in the basis.
   const VectorXd small = 1e-9 * VectorXd::LinSpaced(12, -1, 2);
