@@ -197,7 +197,7 @@ TEST_CASE("in the span of the finite vectors the model is the mesh, and the othe
 }
 
 TEST_CASE("the product by wide registers is the product") {
-  for (const Eigen::Index rows : {1, 7, 20})
+  for (const Eigen::Index rows : {1, 7, 8, 12, 20})
     for (const Eigen::Index columns : {1, 6, 35}) {
       const MatrixXd a = MatrixXd::Random(rows, columns);
       const VectorXd x = VectorXd::Random(columns);
