@@ -2,7 +2,6 @@
 
 #include <doctest/doctest.h>
 
-#include <fcntl.h>
 #include <pty.h>
 #include <unistd.h>
 
@@ -19,11 +18,16 @@ template <class Action>
 std::string written(int reader, int writer, Action act) {
   std::FILE* stream = ::fdopen(writer, "w");
   act(stream);
+  // A terminal hands on when it likes: read until a last sign has come, however many pieces that takes.
+  std::fputc('\a', stream);
   std::fflush(stream);
-  ::fcntl(reader, F_SETFL, O_NONBLOCK);
-  std::string text(4096, '\0');
-  const ssize_t count = ::read(reader, text.data(), text.size());
-  text.resize(count > 0 ? static_cast<std::size_t>(count) : 0);
+  std::string text;
+  for (char piece[256]; text.empty() || text.back() != '\a';) {
+    const ssize_t count = ::read(reader, piece, sizeof piece);
+    REQUIRE(count > 0);
+    text.append(piece, static_cast<std::size_t>(count));
+  }
+  text.pop_back();
   std::fclose(stream);
   ::close(reader);
   return text;
