@@ -11,11 +11,8 @@ namespace impulse {
 /// A contact without a law between two steps.
 struct RigidContact {
   enum class State { open, sticking, over };
-  enum class FirstForce {
-    known,
-    as_next
-  };  ///< what the record shows where the faces met: the first force of the
-      ///< continuous bodies, or the force of the next sample
+  /// What the record shows where the faces met: the first force of the continuous bodies, or that of the next sample.
+  enum class FirstForce { known, as_next };
 
   State state = State::open;
   double force_N = 0;                                ///< that acts from the last sample on

@@ -1,5 +1,6 @@
 #include "lib/cli/bar_options.hpp"
 
+#include "lib/cli/blamed_on.hpp"
 #include "lib/cli/config_toml.hpp"
 #include "lib/contract/errors.hpp"
 
@@ -56,12 +57,7 @@ Bar read_bar_file(const TomlFile& file) {
     throw InputError(file.name, 0, 0, fmt::format("body \"{}\" is not a bar or cone", kind));
   BarOptions options(kind == "bar" ? BarOptions::Kind::chain : BarOptions::Kind::cone);
   read_config_file(file, [&](Command& command) { options.declare(command); });
-  try {
-    return options.bar();
-  } catch (const std::exception& error) {
-    const std::string_view message = error.what();
-    throw InputError(file.name, 0, 0, std::string(message.substr(message.starts_with("--") ? 2 : 0)));
-  }
+  return blamed_on(file, [&] { return options.bar(); });
 }
 
 }  // namespace impulse

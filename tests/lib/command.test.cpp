@@ -236,6 +236,15 @@ TEST_CASE("blamed_on: what a function refuses becomes the refusal of a flag, any
                   ConvergenceError);
 }
 
+TEST_CASE("blamed_on: of a file, a flag is a key and what names its place already passes") {
+  const TomlFile file{.name = "p.toml", .entries = {}};
+  CHECK(blamed_on(file, [] { return 3; }) == 3);
+  CHECK_THROWS_WITH_AS(blamed_on(file, []() -> int { throw UsageError("--growth", "is below 1"); }),
+                       "p.toml: growth: is below 1", InputError);
+  CHECK_THROWS_WITH_AS(blamed_on(file, []() -> int { throw InputError("q.msh", 3, 0, "no node"); }), "q.msh:3: no node",
+                       InputError);
+}
+
 TEST_CASE("command: refusals of TOML name file, line, column and key") {
   CHECK(config_refusal("gap = 1\nspeeed = 2\n") == "p.toml:2:1: unknown key 'speeed'");
   CHECK(config_refusal("[table]\na = 1\n").starts_with("p.toml:1:"));

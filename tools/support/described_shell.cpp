@@ -1,19 +1,17 @@
 #include "tools/support/described_shell.hpp"
 
+#include "lib/cli/blamed_on.hpp"
 #include "lib/cli/config_toml.hpp"
-#include "lib/contract/errors.hpp"
 #include "tools/support/shell_body.hpp"
 
-#include <algorithm>
 #include <memory>
-#include <string_view>
 
 namespace impulse {
 
 DescribedBody read_shell_body(const TomlFile& file) {
   ShellOptions options;
   read_config_file(file, [&](Command& command) { options.declare(command, ShellOptions::Use::impact); });
-  try {
+  return blamed_on(file, [&] {
     const Shell shell(options.panel());
     const auto structure = std::make_shared<const Structure>(shell_structure(shell, options.points()));
     DescribedBody body;
@@ -23,12 +21,7 @@ DescribedBody read_shell_body(const TomlFile& file) {
     body.divisible = Divisible::no;
     body.structure = [structure](const ExplicitMesh&) { return *structure; };
     return body;
-  } catch (const InputError&) {
-    throw;
-  } catch (const std::exception& error) {
-    const std::string_view message = error.what();
-    throw InputError(file.name, 0, 0, std::string(message.substr(message.starts_with("--") ? 2 : 0)));
-  }
+  });
 }
 
 }  // namespace impulse

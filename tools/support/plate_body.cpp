@@ -1,30 +1,23 @@
 #include "tools/support/plate_body.hpp"
 
 #include "fem/bodies/modal_structure.hpp"
+#include "lib/cli/blamed_on.hpp"
 #include "lib/cli/config_toml.hpp"
 #include "lib/contract/errors.hpp"
 #include "lib/model/modal_model.hpp"
 #include "tools/support/plate_options.hpp"
 
 #include <numbers>
-#include <string_view>
 
 namespace impulse {
 
 DescribedBody read_plate_body(const TomlFile& file) {
   PlateOptions options;
   read_config_file(file, [&](Command& command) { options.declare(command); });
-  const DenseStructure plate = [&] {
-    try {
-      if (options.point_count() == 0) throw UsageError("--at", "is required");
-      return options.struck(options.plate()).structure;
-    } catch (const InputError&) {
-      throw;
-    } catch (const std::exception& error) {
-      const std::string_view message = error.what();
-      throw InputError(file.name, 0, 0, std::string(message.substr(message.starts_with("--") ? 2 : 0)));
-    }
-  }();
+  const DenseStructure plate = blamed_on(file, [&] {
+    if (options.point_count() == 0) throw UsageError("--at", "is required");
+    return options.struck(options.plate()).structure;
+  });
   DescribedBody body;
   body.contact_count = options.point_count();
   body.divisible = Divisible::no;

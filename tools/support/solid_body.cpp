@@ -1,7 +1,7 @@
 #include "tools/support/solid_body.hpp"
 
+#include "lib/cli/blamed_on.hpp"
 #include "lib/cli/config_toml.hpp"
-#include "lib/contract/errors.hpp"
 #include "tools/support/solid_options.hpp"
 
 #include <memory>
@@ -11,7 +11,7 @@ namespace impulse {
 DescribedBody read_solid_body(const TomlFile& file) {
   SolidOptions options;
   read_config_file(file, [&](Command& command) { options.declare(command); });
-  try {
+  return blamed_on(file, [&] {
     const AxisymmetricSolid solid = options.solid(MassMatrix::lumped);
     const auto structure = std::make_shared<const Structure>(axisymmetric_structure(solid).structure);
     DescribedBody body;
@@ -20,12 +20,7 @@ DescribedBody read_solid_body(const TomlFile& file) {
     body.divisible = Divisible::no;
     body.structure = [structure](const ExplicitMesh&) { return *structure; };
     return body;
-  } catch (const InputError&) {
-    throw;
-  } catch (const std::exception& error) {
-    const std::string_view message = error.what();
-    throw InputError(file.name, 0, 0, std::string(message.substr(message.starts_with("--") ? 2 : 0)));
-  }
+  });
 }
 
 }  // namespace impulse
